@@ -16,8 +16,9 @@ namespace lanthorn::game {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kCampaign = {"red-wall",    "shutter", "green-screen",
-                                                       "two-glasses", "mirrors", "pool"};
+constexpr std::array<std::string_view, 9> kCampaign = {"red-wall",      "shutter",     "green-screen",
+                                                       "two-glasses",   "mirrors",     "pool",
+                                                       "burning-glass", "lamp-bearer", "other-light"};
 
 // The first chunk of a binary glTF file (glTF 2.0, 4.4): its JSON.
 std::string json_of(const std::string& path) {

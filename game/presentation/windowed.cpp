@@ -32,8 +32,9 @@ namespace {
 constexpr vec3 kDark(0.03f, 0.02f, 0.015f);  // where no level is
 
 // By Screen, for the log.
-constexpr std::array kScreens = {"loading", "title",   "levels",   "play",    "paused",
-                                 "restart", "options", "controls", "finished"};
+constexpr std::array kScreens = {"loading", "title",   "levels",   "play",     "paused",
+                                 "restart", "options", "controls", "finished", "credits"};
+static_assert(kScreens.size() == static_cast<std::size_t>(Screen::credits) + 1);
 constexpr int kSettles = 32;            // frames of a level that stands still until its picture is done
 constexpr double kStillSeconds = 0.03;  // that a frame of a page takes on which nothing moves
 
@@ -227,8 +228,8 @@ void GameWindow::show() {
 
 void GameWindow::show_level(Playthrough& level) {
     const Screens& screens = flow_.screens();
-    const bool aside =
-        screens.at == Screen::levels || screens.at == Screen::options || screens.at == Screen::controls;
+    const bool aside = screens.at == Screen::levels || screens.at == Screen::options ||
+                       screens.at == Screen::controls || screens.at == Screen::credits;
     const bool on_title = screens.at == Screen::title || (aside && screens.back == Screen::title);
     title_seconds_ = on_title ? title_seconds_ + window_.seconds() : 0;
     if (title_seconds_ > 0 && !settings_.preferences().less_motion) {

@@ -45,6 +45,8 @@ void declare_figures(ecs::Registry& registry) {
         field("follows", &Follower::follows).runtime(),
         field("velocity", &Follower::velocity).runtime().unit("m/s"),
         field("trail", &Follower::trail).runtime().unit("m").words("where she walked since it saw her"));
+    registry.component<Heeds>("heeds", "beside a follower: waits where it is told to, by use",
+                              field("waits", &Heeds::waits).words("as the level begins"));
 }
 
 }  // namespace lanthorn::game

@@ -65,6 +65,12 @@ struct Follower {
     bool operator==(const Follower&) const = default;
 };
 
+// A follower that waits where it is told to, and comes when it is told to.
+struct Heeds {
+    bool waits = false;
+    bool operator==(const Heeds&) const = default;
+};
+
 void declare_figures(ecs::Registry& registry);
 
 }  // namespace lanthorn::game

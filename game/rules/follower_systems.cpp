@@ -83,12 +83,26 @@ dvec3 goal_of(Follower& follower, const dvec3& place, const dvec3& player, const
 
 }  // namespace
 
-void follow_player(Res<Intent> intent, Res<SharedPhysics> physics,
+void tell_followers(Res<Intent> intent, Query<Mut<Heeds>, Read<WorldTransform>> followers) {
+    if ((intent->pressed & kUse) == 0) {
+        return;
+    }
+    followers.each([&](ecs::MutRef<Heeds> state, const WorldTransform& world) {
+        if (intent->in_reach(dvec3(world.matrix[3]))) {
+            Heeds& heeds = state.write();
+            heeds.waits = !heeds.waits;
+        }
+    });
+}
+
+void follow_player(Res<Intent> intent, Res<SharedPhysics> physics, ecs::Lookup<Read<Heeds>> heeds,
                    Query<Write<Follower>, Mut<LocalTransform>> followers) {
     if (!intent->player) {
         return;
     }
-    followers.each([&](Follower& follower, ecs::MutRef<LocalTransform> local) {
+    followers.each([&](Entity e, Follower& follower, ecs::MutRef<LocalTransform> local) {
+        const Heeds* told = heeds.try_get<Heeds>(e);
+        const bool waits = told != nullptr && told->waits;
         const dvec3 place = local->value.translation;
         const Feet feet(**physics, intent->player, follower.radius);
         const dvec3 goal = goal_of(follower, place, intent->feet, feet);
@@ -101,7 +115,7 @@ void follow_player(Res<Intent> intent, Res<SharedPhysics> physics,
         const dvec3 way = level(goal - place);
         if (in_sight && distance < kYields && distance > 0) {
             wish = -level(intent->feet - place) / distance * (0.6 * follower.speed);
-        } else if (follower.follows && glm::length(way) > 0.05) {
+        } else if (follower.follows && !waits && glm::length(way) > 0.05) {
             wish = feet.steer(place, glm::normalize(way)) * follower.speed;
         }
         follower.velocity += kTakeUp * (wish - follower.velocity);

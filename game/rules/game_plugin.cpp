@@ -20,7 +20,8 @@ void GamePlugin::build(App& app) {
     fixed.add("turn_tables", turn_tables).after("shove_bodies").in("gameplay");
     fixed.add("carry_lanterns", carry_lanterns).after("turn_tables").in("gameplay");
     fixed.add("walk", walk).after("take_input").in("gameplay");
-    fixed.add("follow_player", follow_player).after("carry_lanterns").in("gameplay");
+    fixed.add("tell_followers", tell_followers).after("carry_lanterns").in("gameplay");
+    fixed.add("follow_player", follow_player).after("tell_followers").in("gameplay");
     fixed.add("face_followers", face_followers).after("follow_player").in("gameplay");
     fixed.add("face_hero", face_hero).after("face_followers").in("gameplay");
     fixed.add("walk_figures", walk_figures).after("face_hero").in("gameplay");

@@ -87,7 +87,9 @@ void hold_out(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Lantern
 void follow_with_camera(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Eyes>> eyes,
                         Query<Read<Cloth>, Read<WorldTransform>> cloths,
                         Query<Mut<FollowCamera>, Mut<LocalTransform>> cameras, Places places);
-void follow_player(Res<Intent> intent, Res<SharedPhysics> physics,
+// Followers at hand that heed her wait, or come.
+void tell_followers(Res<Intent> intent, Query<Mut<Heeds>, Read<WorldTransform>> followers);
+void follow_player(Res<Intent> intent, Res<SharedPhysics> physics, ecs::Lookup<Read<Heeds>> heeds,
                    Query<Write<Follower>, Mut<LocalTransform>> followers);
 // Followers face where they walk, and the player while they wait.
 void face_followers(Res<Intent> intent, Query<Read<Follower>, Read<LocalTransform>> followers,

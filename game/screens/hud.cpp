@@ -90,6 +90,8 @@ class Labels {
     std::vector<Found> found_;
 };
 
+constexpr double kPuppet = 0.8;  // metres above a follower's feet, where its words stand
+
 std::vector<HudLabel> labels_of(const ecs::World& world, const Eye& eye) {
     Labels labels(world, eye);
     world.query<ecs::Read<Door>, ecs::Read<WorldTransform>>().each([&](ecs::Entity e, const Door& door,
@@ -119,6 +121,11 @@ std::vector<HudLabel> labels_of(const ecs::World& world, const Eye& eye) {
                 labels.add_near(place, Action::carry, "take the lantern");
                 labels.add_near(place, Action::light, lantern.lit ? "put it out" : "light it");
             }
+        });
+    world.query<ecs::Read<Heeds>, ecs::Read<WorldTransform>>().each(
+        [&](const Heeds& heeds, const WorldTransform& at) {
+            labels.add_near(dvec3(at.matrix[3]) + dvec3(0, kPuppet, 0), Action::use,
+                            heeds.waits ? "come along" : "wait here");
         });
     return labels.take();
 }

@@ -182,6 +182,8 @@ void draw_hud(const Model& model) {
     draw_labels(model, plates, lowest);
     if (!model.hint.empty()) {
         plates.hint(model.say_with_keys(model.hint), lowest);
+    } else if (!model.story.empty()) {
+        plates.hint(model.say(model.story), lowest);
     }
 }
 

@@ -58,6 +58,7 @@ struct Model {
     std::vector<std::string> notices;        // lines that want to be read now
     std::vector<std::string> captions;       // of what is heard, in English
     std::string hint;                        // that the player asked for, in English
+    std::string story;                       // of a level that has just begun, in English
     std::string looks_by = "mouse";          // what looks about, in English
     bool by_pad = false;                     // keys are those of a gamepad
     std::array<std::string, kActions> keys;  // what to press for an action, on the device used last

@@ -1,5 +1,10 @@
 #include "game/screens/pages.h"
 
+#include <algorithm>
+
+#include "game/level/story.h"
+#include "game/screens/tower.h"
+
 namespace lanthorn::game::ui {
 
 namespace {
@@ -26,6 +31,7 @@ void draw_loading(const Model& model) {
 std::optional<Event> draw_title(const Model& model) {
     std::optional<Event> event;
     draw_shade(model.page, 0.62f, 0.88f);
+    draw_tower(model);
     begin_column(model.page, "title", kName, model.say("Carry the light to where no lamp can shine."));
     if (model.screens.begun) {
         if (entry(model, "Continue", true)) {
@@ -39,6 +45,9 @@ std::optional<Event> draw_title(const Model& model) {
     }
     if (entry(model, "Options")) {
         event = {Happening::options};
+    }
+    if (entry(model, "Credits")) {
+        event = {Happening::credits};
     }
     if (entry(model, "Quit")) {
         event = {Happening::quit};
@@ -91,11 +100,18 @@ std::optional<Event> draw_restart(const Model& model) {
 std::optional<Event> draw_finished(const Model& model) {
     std::optional<Event> event;
     const bool last = model.screens.level + 1 >= model.screens.levels;
+    const bool all = last && std::ranges::all_of(model.levels, &LevelCard::solved);
     draw_shade(model.page, 0.5f, 0.8f);
-    begin_column(model.page, "finished", title_of_level(model),
-                 model.say(last ? "All is lit. That was the last level." : "The light has found its way."));
-    if (entry(model, last ? "To the title" : "Next level", true)) {
+    if (all) {
+        draw_tower(model);
+    }
+    begin_column(model.page, "finished", all ? model.say("All is lit") : title_of_level(model),
+                 model.say(all ? kEnding : "The light has found its way."));
+    if (entry(model, all ? "To the title" : "Next level", true)) {
         event = {Happening::next};
+    }
+    if (all && entry(model, "Credits")) {
+        event = {Happening::credits};
     }
     if (entry(model, "Stay a while")) {
         event = {Happening::play};
@@ -139,6 +155,9 @@ std::optional<Event> draw_screen(const Model& model, Choices& choices) {
             break;
         case Screen::finished:
             event = draw_finished(model);
+            break;
+        case Screen::credits:
+            event = draw_credits(model);
             break;
     }
     if (model.screens.at == Screen::play) {

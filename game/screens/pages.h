@@ -14,6 +14,8 @@ std::optional<Event> draw_levels(const Model& model);
 std::optional<Event> draw_paused(const Model& model);
 std::optional<Event> draw_restart(const Model& model);
 std::optional<Event> draw_finished(const Model& model);
+// Who and what made it.
+std::optional<Event> draw_credits(const Model& model);
 // These change the choices as the player does.
 std::optional<Event> draw_options(const Model& model, Preferences& preferences);
 std::optional<Event> draw_controls(const Model& model, Choices& choices);

@@ -1,5 +1,6 @@
 #include "game/screens/screen_model.h"
 
+#include "game/level/story.h"
 #include "lanthorn/input/key_names.h"
 
 namespace lanthorn::game {
@@ -19,6 +20,9 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
         model.hud = look_about(parts.level.played()->world(), aspect);
         if (!parts.plays_itself) {
             model.prompts = parts.lessons.prompts(model.hud);
+            if (parts.level.played()->session().steps() < kStorySteps) {
+                model.story = story_of(parts.level.file(parts.screens.level).path.stem().string());
+            }
         }
     }
     if (parts.reveal.showing() && is_played(parts.screens.at)) {

@@ -52,6 +52,8 @@ Change on_title(const Screens& state, const Event& event) {
             return aside(state, Screen::levels);
         case Happening::options:
             return aside(state, Screen::options);
+        case Happening::credits:
+            return aside(state, Screen::credits);
         default:
             return {state};
     }
@@ -110,6 +112,8 @@ Change on_finished(const Screens& state, const Event& event) {
             return to(state, Screen::play);
         case Happening::levels:
             return aside(state, Screen::levels);
+        case Happening::credits:
+            return aside(state, Screen::credits);
         case Happening::title:
             return to(state, Screen::title);
         default:
@@ -144,6 +148,8 @@ Change follow(const Screens& from, const Event& event) {
             return event.what == Happening::back ? to(from, Screen::options) : Change{from};
         case Screen::finished:
             return on_finished(from, event);
+        case Screen::credits:
+            return event.what == Happening::back ? to(from, from.back) : Change{from};
     }
     return {from};
 }

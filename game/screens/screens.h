@@ -4,12 +4,12 @@
 
 namespace lanthorn::game {
 
-enum class Screen { loading, title, levels, play, paused, restart, options, controls, finished };
+enum class Screen { loading, title, levels, play, paused, restart, options, controls, finished, credits };
 
 // What there is. Behind every screen a level runs: the one that "continue" goes on with.
 struct Screens {
     Screen at = Screen::title;
-    Screen back = Screen::title;  // where levels, options and the question of a restart lead back to
+    Screen back = Screen::title;  // where levels, options, credits and the question of a restart lead back to
     int level = 0;                // behind the screen, of the campaign
     int levels = 1;               // of the campaign
     bool begun = false;           // whether there is something to go on with
@@ -27,6 +27,7 @@ enum class Happening {
     back,      // the menu key, Esc, or a gamepad's B, on another screen
     levels,    // to the level choice
     options,   // to the options
+    credits,   // to who and what made it
     controls,  // to what keys and buttons mean
     title,     // to the title
     reset,     // the level in play, from its beginning: asks, and is the answer there

@@ -70,8 +70,8 @@ expect_files(lanthorn-images usr/lib/lanthorn/lanthorn-images.so)
 set(levels ${files_lamplighter})
 list(FILTER levels INCLUDE REGEX "^usr/share/lanthorn/assets/levels/[a-z-]+\\.(glb|png)$")
 list(LENGTH levels count)
-if(count LESS 12)
-    message(FATAL_ERROR "lamplighter has the levels ${levels}, expected six and their pictures")
+if(count LESS 18)
+    message(FATAL_ERROR "lamplighter has the levels ${levels}, expected nine and their pictures")
 endif()
 expect_files(lamplighter usr/games/lamplighter usr/share/applications/lamplighter.desktop usr/share/bash-completion/completions/lamplighter
     usr/share/icons/hicolor/128x128/apps/lamplighter.png usr/share/icons/hicolor/256x256/apps/lamplighter.png

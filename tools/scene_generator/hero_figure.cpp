@@ -99,23 +99,33 @@ void rest_arm(Keys& keys, bool left) {
     keys.turn(left ? hand_l : hand_r, [](double) { return about_x(-0.1); });
 }
 
-// The right hand's hook at `target`, metres from the shoulder joint, elbow below; and a little rise and fall.
-void hold_arm(Keys& keys, const dvec3& target) {
+// What brings the right hand's hook to `target`, metres from the shoulder joint, elbow below: radians.
+struct Bend {
+    double aside, shoulder, elbow;
+};
+Bend bend_to(const dvec3& target) {
     constexpr double kUpper = 0.28, kLower = 0.32;  // metres, shoulder to elbow to hook
-    const auto bend = [=](double p) {
-        const dvec3 at = target + dvec3(0, 0.012 * wave(2 * p), 0);
-        const double forward = std::atan2(at.z, -at.y), reach = std::hypot(at.y, at.z);
-        const double at_shoulder =
-            std::acos((kUpper * kUpper + reach * reach - kLower * kLower) / (2 * kUpper * reach));
-        const double at_elbow =
-            std::acos((kUpper * kUpper + kLower * kLower - reach * reach) / (2 * kUpper * kLower));
-        return std::pair(forward - at_shoulder, kPi - at_elbow);
-    };
-    const double aside = std::atan2(target.x, std::hypot(target.y, target.z));
-    keys.turn(arm_r, [=](double p) { return about_y(aside) * about_x(-bend(p).first); });
-    keys.turn(forearm_r, [=](double p) { return about_x(-bend(p).second); });
+    const double forward = std::atan2(target.z, -target.y), reach = std::hypot(target.y, target.z);
+    const double at_shoulder =
+        std::acos((kUpper * kUpper + reach * reach - kLower * kLower) / (2 * kUpper * reach));
+    const double at_elbow =
+        std::acos((kUpper * kUpper + kLower * kLower - reach * reach) / (2 * kUpper * kLower));
+    return {std::atan2(target.x, reach), forward - at_shoulder, kPi - at_elbow};
+}
+
+// With a little rise and fall.
+void hold_arm(Keys& keys, const dvec3& target) {
+    const auto bend = [=](double p) { return bend_to(target + dvec3(0, 0.012 * wave(2 * p), 0)); };
+    const double aside = bend_to(target).aside;
+    keys.turn(arm_r, [=](double p) { return about_y(aside) * about_x(-bend(p).shoulder); });
+    keys.turn(forearm_r, [=](double p) { return about_x(-bend(p).elbow); });
     keys.turn(hand_r, [](double) { return dquat(1, 0, 0, 0); });
 }
+
+// What a clip of the whole body does with the right arm: nothing, where clips of its own move it.
+enum class RightArm { alone, swings, holds };
+// Where the hand of a puppet is that holds a lantern out, metres from the shoulder.
+constexpr dvec3 kBearing{-0.1, -0.3, 0.36};
 
 void swing_cape(Keys& keys, double back, double size) {
     keys.turn(cape_1, [=](double p) { return about_x(0.5 * back + 0.03 * size * wave(2 * p)); });
@@ -128,7 +138,7 @@ void swing_cape(Keys& keys, double back, double size) {
 }
 
 AnimationClip walk(const std::string& name, double seconds, double stride, const PuppetNodes& nodes,
-                   bool right_arm) {
+                   RightArm right) {
     Keys keys(name, seconds, 24, nodes);
     const auto pose = [=](double p) { return walk_pose(p, stride, {}, kGait); };
     const dvec3 hip = joint_place(hips);
@@ -146,15 +156,17 @@ AnimationClip walk(const std::string& name, double seconds, double stride, const
         keys.turn(side == 0 ? foot_l : foot_r, [&](double p) { return about_x(pose(p).foot[side]); });
     }
     swing_arm(keys, true, stride);
-    if (right_arm) {
+    if (right == RightArm::swings) {
         swing_arm(keys, false, stride);
+    } else if (right == RightArm::holds) {
+        hold_arm(keys, kBearing);
     }
     swing_cape(keys, 0.1, 1);
     return keys.take();
 }
 
 // Breathes, shifts its weight and looks about a little.
-AnimationClip idle(const std::string& name, double seconds, const PuppetNodes& nodes, bool right_arm) {
+AnimationClip idle(const std::string& name, double seconds, const PuppetNodes& nodes, RightArm right) {
     Keys keys(name, seconds, 16, nodes);
     const dvec3 hip = joint_place(hips);
     keys.move(hips, [&](double p) { return hip + dvec3(0.006 * wave(p), -0.004 + 0.002 * wave(2 * p), 0); });
@@ -173,8 +185,10 @@ AnimationClip idle(const std::string& name, double seconds, const PuppetNodes& n
                   [=](double p) { return about_x(-0.04) * about_z(-0.03 * side + 0.007 * wave(p)); });
     }
     rest_arm(keys, true);
-    if (right_arm) {
+    if (right == RightArm::swings) {
         rest_arm(keys, false);
+    } else if (right == RightArm::holds) {
+        hold_arm(keys, kBearing);
     }
     swing_cape(keys, 0.03, 0.2);
     return keys.take();
@@ -207,31 +221,69 @@ void add_hero(Builder& b, std::uint32_t player) {
     for (const std::uint32_t mesh : add_hero_meshes(b)) {
         add_skinned(b, b.scene.meshes[mesh].name, mesh);
     }
-    b.scene.animations.push_back(idle("hero.idle", 4, nodes, false));
-    b.scene.animations.push_back(walk("hero.walk", 1, kStride, nodes, false));
+    b.scene.animations.push_back(idle("hero.idle", 4, nodes, RightArm::alone));
+    b.scene.animations.push_back(walk("hero.walk", 1, kStride, nodes, RightArm::alone));
     add_arm_clips(b, nodes, {-0.26, 1.36, 0.46});
     const std::uint32_t camera = b.camera("view", at({0, 1.7, 0}), glm::radians(56.0f));
     b.scene.nodes[camera].extras = R"({"follow_camera":{}})";
 }
 
-void add_follower(Builder& b, const std::string& name, const dvec3& feet) {
-    constexpr float kSize = 0.54f;
+namespace {
+
+constexpr float kSmall = 0.54f;  // of a puppet's size, that of one that follows
+
+// A small puppet that stands on `feet`, and its joints.
+PuppetNodes add_small_puppet(Builder& b, const std::string& name, const dvec3& feet,
+                             const PuppetMeshes& meshes, const std::string& extras, RightArm right) {
     const std::uint32_t root = b.node(name, at(feet));
-    b.scene.nodes[root].extras = R"({"follower":{}})";
+    b.scene.nodes[root].extras = extras;
     Transform small;
-    small.scale = vec3(kSize);
+    small.scale = vec3(kSmall);
     const std::uint32_t figure = b.node(name + "-figure", small, root);
     b.scene.nodes[figure].extras =
         R"({"figure":{"idle":")" + name + R"(.idle","walk":")" + name + R"(.walk","stride":0.65}})";
     const PuppetNodes nodes = add_puppet_joints(b, name, figure);
-    const PuppetMeshes meshes = add_puppet_meshes(b);
     const std::uint32_t skull = nodes[static_cast<std::size_t>(head)];
     b.scene.nodes[b.node(name + ".face", {}, skull)].meshes = {meshes.head};
     b.scene.nodes[b.node(name + ".eyes", {}, skull)].meshes = {meshes.eyes};
     add_skinned(b, name + ".body", meshes.body);
     add_skinned(b, name + ".cape", meshes.cape);
-    b.scene.animations.push_back(idle(name + ".idle", 3, nodes, true));
-    b.scene.animations.push_back(walk(name + ".walk", 1, 0.65 / kSize, nodes, true));
+    b.scene.animations.push_back(idle(name + ".idle", 3, nodes, right));
+    b.scene.animations.push_back(walk(name + ".walk", 1, 0.65 / kSmall, nodes, right));
+    return nodes;
+}
+
+}  // namespace
+
+void add_follower(Builder& b, const std::string& name, const dvec3& feet) {
+    add_small_puppet(b, name, feet, add_puppet_meshes(b), R"({"follower":{}})", RightArm::swings);
+}
+
+void add_lamp_bearer(Builder& b, const std::string& name, const dvec3& feet, const vec3& colour,
+                     float candela) {
+    const PuppetMeshes meshes = add_puppet_meshes(b);
+    const PuppetNodes nodes = add_small_puppet(
+        b, name, feet, meshes, R"({"follower":{"near":1.1},"heeds":{"waits":true}})", RightArm::holds);
+    // Upright in a hand that is not.
+    const Bend bend = bend_to(kBearing);
+    Transform upright = at({0, -0.04, 0});
+    upright.rotation =
+        quat(glm::inverse(about_y(bend.aside) * about_x(-bend.shoulder) * about_x(-bend.elbow)));
+    const std::uint32_t grip = b.node(name + ".grip", upright, nodes[static_cast<std::size_t>(hand_r)]);
+    constexpr double kLean = 0.45, kAbove = 0.85, kBelow = 0.5, kThick = 0.014;  // radians; metres
+    Transform leaning;
+    leaning.rotation = quat(about_x(kLean));
+    b.solid(name + ".staff", box({-kThick, -kBelow, -kThick}, {kThick, kAbove, kThick}),
+            b.matte(name + "-staff", {0.2f, 0.12f, 0.06f}, 0.5f), {}, leaning, grip);
+    Transform tip = at({0, kAbove * std::cos(kLean), kAbove * std::sin(kLean) + 0.02});
+    tip.scale = vec3(1.5f);
+    const std::uint32_t hook = b.node(name + ".hook", tip, grip);
+    b.scene.nodes[hook].meshes = {meshes.lantern};
+    Light flame;
+    flame.type = LightType::point;
+    flame.colour = colour;
+    flame.intensity = candela;
+    b.light(name + "-flame", at({0, -0.18, 0}), flame, hook);
 }
 
 }  // namespace lanthorn::scene_generator

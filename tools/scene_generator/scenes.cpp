@@ -26,10 +26,15 @@ const std::vector<NamedScene>& all_scenes() {
 }
 
 const std::vector<NamedScene>& level_scenes() {
-    static const std::vector<NamedScene> scenes = {
-        {"levels/red-wall", level_red_wall},       {"levels/green-screen", level_green_screen},
-        {"levels/two-glasses", level_two_glasses}, {"levels/shutter", level_shutter},
-        {"levels/mirrors", level_mirrors},         {"levels/pool", level_pool}};
+    static const std::vector<NamedScene> scenes = {{"levels/red-wall", level_red_wall},
+                                                   {"levels/green-screen", level_green_screen},
+                                                   {"levels/two-glasses", level_two_glasses},
+                                                   {"levels/shutter", level_shutter},
+                                                   {"levels/mirrors", level_mirrors},
+                                                   {"levels/pool", level_pool},
+                                                   {"levels/burning-glass", level_burning_glass},
+                                                   {"levels/lamp-bearer", level_lamp_bearer},
+                                                   {"levels/other-light", level_other_light}};
     return scenes;
 }
 

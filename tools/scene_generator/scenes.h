@@ -38,12 +38,15 @@ struct NamedScene {
 // The small ones.
 const std::vector<NamedScene>& all_scenes();
 
-SceneData level_red_wall();      // levels of the game: light that a wall colours,
-SceneData level_green_screen();  // that a screen on a rail sends on,
-SceneData level_two_glasses();   // that a lantern's glasses colour,
-SceneData level_shutter();       // of the moon, once it is let in,
-SceneData level_mirrors();       // that mirrors send round a corner,
-SceneData level_pool();          // and that glass colours and water sends on
+SceneData level_red_wall();       // levels of the game: light that a wall colours,
+SceneData level_green_screen();   // that a screen on a rail sends on,
+SceneData level_two_glasses();    // that a lantern's glasses colour,
+SceneData level_shutter();        // of the moon, once it is let in,
+SceneData level_mirrors();        // that mirrors send round a corner,
+SceneData level_pool();           // that glass colours and water sends on,
+SceneData level_burning_glass();  // that a lens gathers and a mirror hands on,
+SceneData level_lamp_bearer();    // that a puppet carries to where a wall colours it,
+SceneData level_other_light();    // and that comes by a window, for a while
 
 // The game's levels, in assets/levels/.
 const std::vector<NamedScene>& level_scenes();

@@ -339,7 +339,9 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
                 now.area += static_cast<double>(glm::length(shape.half_cross(t, now.linear)));
             }
         }
-        total_area_ += now.area;
+        const Material& material = scene.material(instance);
+        const bool blended = material.alpha_mode == AlphaMode::blend;
+        total_area_ += now.area * (blended ? static_cast<double>(material.base_colour.a) : 1.0);
         areas.push_back(now);
     }
     areas_ = std::move(areas);

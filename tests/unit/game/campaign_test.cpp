@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 
 #include "game/level/level_files.h"
+#include "game/level/story.h"
 #include "lanthorn/core/error.h"
 #include "tests/support/kept_folder.h"
 #include "tests/unit/game/test_level.h"
@@ -24,6 +26,7 @@ TEST(Campaign, EveryLevelHasATitleAndHints) {
         const LevelInfo info = read_level_info(level_path(stem));
         EXPECT_FALSE(info.title.empty()) << stem;
         EXPECT_GE(info.hints.size(), 2u) << stem;
+        EXPECT_EQ(std::ranges::count(story_of(stem), '\n'), 1) << stem << " is told in two lines";
     }
 }
 

@@ -255,6 +255,46 @@ TEST_F(FollowerTest, FollowsThroughADoorwayAndIsInNoWall) {
     EXPECT_LT(apart(), game.of<Follower>("puppet").far);
 }
 
+// A puppet that heeds her, 2 m before her.
+SceneData level_with_a_bearer() {
+    scene_generator::Builder level = test_level();
+    scene_generator::add_lamp_bearer(level, "bearer", {-0.6, 0, 0}, vec3(1), 20);
+    return level.scene;
+}
+
+TEST(LampBearer, WaitsUntilItIsToldToComeAndWhereItIsToldToWait) {
+    Played game(level_with_a_bearer());
+    const dvec3 start = game.place("bearer");
+    game.walk(-1, 200);  // it would follow
+    EXPECT_EQ(game.place("bearer"), start);
+    game.press(kUse);  // out of her reach
+    EXPECT_TRUE(game.of<Heeds>("bearer").waits);
+    game.walk(1, 190);
+    game.press(kUse);
+    EXPECT_FALSE(game.of<Heeds>("bearer").waits);
+    game.walk(-1, 200);
+    game.steps(200);
+    const dvec3 led = game.place("bearer");
+    EXPECT_LT(led.x, start.x - 2);
+    game.press(kUse);
+    game.walk(-1, 200);
+    game.steps(100);
+    EXPECT_TRUE(game.of<Heeds>("bearer").waits);
+    EXPECT_LT(glm::distance(game.place("bearer"), led), 0.05);
+}
+
+TEST(LampBearer, HoldsItsLanternOutBeforeIt) {
+    Played game(level_with_a_bearer());
+    game.steps(20);
+    const dvec3 flame(game.of<WorldTransform>("bearer-flame").matrix[3]);
+    const dvec3 feet = game.place("bearer");
+    EXPECT_GT(flame.y, 0.7);
+    EXPECT_LT(flame.y, 1.1);
+    EXPECT_GT(glm::distance(dvec3(flame.x, 0, flame.z), dvec3(feet.x, 0, feet.z)), 0.3);
+    // Upright, however the hand is turned.
+    EXPECT_GT(glm::normalize(dvec3(game.of<WorldTransform>("bearer-flame").matrix[1])).y, 0.95);
+}
+
 TEST_F(FollowerTest, StepsBackAndIsInNobodysWay) {
     game.turn(3.14159265);
     game.walk(1, 200);  // right through where it stood

@@ -1,10 +1,14 @@
 // What the words on the picture say, and where; hints; and a level that is gone on with.
 #include "game/screens/hud.h"
 
+#include <algorithm>
+
 #include "game/level/hints.h"
+#include "game/rules/figures.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "tests/unit/game/test_level.h"
+#include "tools/scene_generator/hero_figure.h"
 
 namespace lanthorn::game {
 namespace {
@@ -43,6 +47,19 @@ TEST(LookAbout, FollowsWhatIsDone) {
     EXPECT_TRUE(hud.carries);
     EXPECT_TRUE(hud.lit);
     EXPECT_EQ(hud.glasses, 0);
+}
+
+TEST(LookAbout, SaysWhatAPuppetThatHeedsHerWouldDo) {
+    scene_generator::Builder level = test_level();
+    scene_generator::add_lamp_bearer(level, "bearer", {-0.6, 0, -0.4}, vec3(1), 20);
+    Played played(level.scene);
+    played.steps(2);
+    const std::vector<std::string> before = words(look_about(played.world(), kAspect));
+    EXPECT_EQ(std::ranges::count(before, "come along"), 1);
+    played.world().get_mut<Heeds>(played.named("bearer")).waits = false;
+    const std::vector<std::string> after = words(look_about(played.world(), kAspect));
+    EXPECT_EQ(std::ranges::count(after, "wait here"), 1);
+    EXPECT_EQ(std::ranges::count(after, "come along"), 0);
 }
 
 TEST(LookAbout, SaysNothingOfWhatIsFarOrBehind) {

@@ -10,10 +10,10 @@
 namespace lanthorn::game {
 namespace {
 
-constexpr std::array kAll = {Happening::play,  Happening::begin,  Happening::choose,  Happening::pause,
-                             Happening::back,  Happening::levels, Happening::options, Happening::controls,
-                             Happening::title, Happening::reset,  Happening::solved,  Happening::next,
-                             Happening::quit};
+constexpr std::array kAll = {Happening::play,    Happening::begin,  Happening::choose,  Happening::pause,
+                             Happening::back,    Happening::levels, Happening::options, Happening::controls,
+                             Happening::title,   Happening::reset,  Happening::solved,  Happening::next,
+                             Happening::credits, Happening::quit};
 
 // A player's way: each happening, the screen that it leads to, what is to be done.
 struct Turn {
@@ -51,6 +51,13 @@ TEST(Screens, OptionsLeadBackToWhereTheyCameFrom) {
          {{{Happening::options}, Screen::options}, {{Happening::back}, Screen::paused}});
     walk({.at = Screen::paused},
          {{{Happening::levels}, Screen::levels}, {{Happening::back}, Screen::paused}});
+}
+
+TEST(Screens, CreditsLeadBackToWhereTheyCameFrom) {
+    walk({}, {{{Happening::credits}, Screen::credits}, {{Happening::back}, Screen::title}});
+    walk({.at = Screen::finished},
+         {{{Happening::credits}, Screen::credits}, {{Happening::back}, Screen::finished}});
+    walk({.at = Screen::play}, {{{Happening::credits}, Screen::play}});
 }
 
 TEST(Screens, ControlsLeadBackToOptionsAndThoseToWhereTheyCameFrom) {

@@ -150,8 +150,8 @@ std::multiset<Happening> reachable(Screen screen, ivec2 size, int moves, int dow
 TEST(Pages, EveryEntryIsReachedByKeysInWindowsOfAnySize) {
     using enum Happening;
     for (const ivec2 size : kSizes) {
-        EXPECT_EQ(reachable(Screen::title, size, 4, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
-                  (std::multiset<Happening>{play, levels, options, quit}));
+        EXPECT_EQ(reachable(Screen::title, size, 5, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
+                  (std::multiset<Happening>{play, levels, options, credits, quit}));
         EXPECT_EQ(reachable(Screen::paused, size, 6, GLFW_KEY_DOWN, GLFW_KEY_SPACE, false),
                   (std::multiset<Happening>{play, reset, levels, options, title, quit}));
         EXPECT_EQ(reachable(Screen::restart, size, 2, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
@@ -161,13 +161,37 @@ TEST(Pages, EveryEntryIsReachedByKeysInWindowsOfAnySize) {
     }
 }
 
+// After the last room: an end card once all are solved, else the way to what is left.
+TEST(Pages, TheLastRoomEndsTheGameWhereAllAreSolved) {
+    using enum Happening;
+    for (const bool all : {false, true}) {
+        std::multiset<Happening> found;
+        for (int n = 0; n < (all ? 5 : 4); ++n) {
+            Player player({1280, 720});
+            player.model.screens.level = 5;
+            for (LevelCard& card : player.model.levels) {
+                card.solved = card.solved || all;
+            }
+            player.show(Screen::finished);
+            for (int i = 0; i < n; ++i) {
+                player.key(GLFW_KEY_DOWN);
+            }
+            if (const std::optional<Event> event = player.key(GLFW_KEY_ENTER)) {
+                found.insert(event->what);
+            }
+        }
+        EXPECT_EQ(found, (all ? std::multiset<Happening>{next, play, levels, credits, quit}
+                              : std::multiset<Happening>{next, play, levels, quit}));
+    }
+}
+
 TEST(Pages, EveryEntryIsReachedByGamepad) {
     using enum Happening;
     const auto by_pad = [](Screen screen, int moves) {
         return reachable(screen, {1280, 720}, moves, GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_GAMEPAD_BUTTON_A,
                          true);
     };
-    EXPECT_EQ(by_pad(Screen::title, 4), (std::multiset<Happening>{play, levels, options, quit}));
+    EXPECT_EQ(by_pad(Screen::title, 5), (std::multiset<Happening>{play, levels, options, credits, quit}));
     EXPECT_EQ(by_pad(Screen::paused, 6),
               (std::multiset<Happening>{play, reset, levels, options, title, quit}));
 }
@@ -184,8 +208,8 @@ TEST(Pages, UpFromTheFirstEntryIsTheLast) {
 }
 
 TEST(Pages, EscapeAndTheGamepadsBGoBack) {
-    for (const Screen screen :
-         {Screen::levels, Screen::paused, Screen::options, Screen::controls, Screen::finished}) {
+    for (const Screen screen : {Screen::levels, Screen::paused, Screen::options, Screen::controls,
+                                Screen::finished, Screen::credits}) {
         Player player({1280, 720});
         player.show(screen);
         const std::optional<Event> by_key = player.key(GLFW_KEY_ESCAPE);
@@ -297,7 +321,7 @@ TEST(Pages, SayEverythingInThePlayersLanguage) {
         for (const int level : {0, 5}) {
             for (const Screen screen :
                  {Screen::loading, Screen::title, Screen::levels, Screen::play, Screen::paused,
-                  Screen::restart, Screen::options, Screen::controls, Screen::finished}) {
+                  Screen::restart, Screen::options, Screen::controls, Screen::finished, Screen::credits}) {
                 player.model.screens.begun = begun;
                 player.model.screens.level = level;
                 player.model.prompts = Lessons().prompts({.carries = true, .lit = begun, .glasses = 1});
@@ -305,6 +329,11 @@ TEST(Pages, SayEverythingInThePlayersLanguage) {
             }
         }
     }
+    player.model.screens.level = 5;
+    for (LevelCard& each : player.model.levels) {
+        each.solved = true;
+    }
+    player.show(Screen::finished);  // the end card
     player.choices.asked = Action::use;
     player.show(Screen::controls);
     player.choices.preferences.hold_by_press = player.choices.preferences.captions = true;

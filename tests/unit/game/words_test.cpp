@@ -11,6 +11,7 @@
 
 #include "game/level/campaign.h"
 #include "game/level/hints.h"
+#include "game/level/story.h"
 #include "game/presentation/languages.h"
 #include "game/rules/actions.h"
 #include "game/rules/components.h"
@@ -123,6 +124,7 @@ TEST(Languages, GermanIsComplete) {
     for (const std::string_view stem : campaign()) {
         const LevelInfo info = read_level_info(level_path(stem));
         german.say(info.title);
+        german.say(story_of(stem));
         for (const std::string& hint : info.hints) {
             german.say(hint);
         }
@@ -130,6 +132,9 @@ TEST(Languages, GermanIsComplete) {
     Hints none;
     none.ask({});
     german.say(none.shown());
+    german.say(kEnding);
+    german.say("wait here");
+    german.say("come along");
     for (const std::string& word : german.unknown()) {
         ADD_FAILURE() << "de.json has no word for '" << word << "'";
     }

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "game/screens/pages.h"
+
+namespace lanthorn::game::ui {
+
+namespace {
+
+struct Credit {
+    const char *what, *licence;
+};
+// What the program is linked with, and the licence of each.
+constexpr std::array kLibraries = {Credit{"Bullet Physics", "zlib"},
+                                   Credit{"CLI11", "BSD-3-Clause"},
+                                   Credit{"Dear ImGui", "MIT"},
+                                   Credit{"Draco", "Apache-2.0"},
+                                   Credit{"Embree", "Apache-2.0"},
+                                   Credit{"{fmt}", "MIT"},
+                                   Credit{"GLFW", "zlib"},
+                                   Credit{"GLM", "MIT"},
+                                   Credit{"JSON for Modern C++", "MIT"},
+                                   Credit{"libepoxy", "MIT"},
+                                   Credit{"libjpeg-turbo", "IJG, BSD-3-Clause"},
+                                   Credit{"libpng", "libpng-2.0"},
+                                   Credit{"libwebp", "BSD-3-Clause"},
+                                   Credit{"meshoptimizer", "MIT"},
+                                   Credit{"nanoflann", "BSD-2-Clause"},
+                                   Credit{"OpenAL Soft", "LGPL-2.0-or-later"},
+                                   Credit{"OpenEXR, Imath", "BSD-3-Clause"},
+                                   Credit{"OpenSubdiv", "Apache-2.0"},
+                                   Credit{"xxHash", "BSD-2-Clause"},
+                                   Credit{"Zstandard", "BSD-3-Clause"}};
+constexpr std::array kFonts = {Credit{"Cabin, by Pablo Impallari and others", "OFL-1.1"},
+                               Credit{"Quattrocento, by Pablo Impallari", "OFL-1.1"}};
+
+// One after the other, so that they are seen without a key that scrolls.
+void list(const auto& credits) {
+    std::string all;
+    for (const Credit& credit : credits) {
+        all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", credit.what, credit.licence);
+    }
+    ImGui::TextWrapped("%s", all.c_str());
+}
+
+}  // namespace
+
+std::optional<Event> draw_credits(const Model& model) {
+    std::optional<Event> event;
+    draw_shade(model.page, 0.62f, 0.9f);
+    begin_column(model.page, "credits", model.say("Credits"),
+                 model.say("Rooms, figures, sounds and music are made by the program itself."));
+    if (lanthorn::ui::entry(model.page, model.say("Back").c_str(), true)) {
+        event = {Happening::back};
+    }
+    section(model.page, model.say("The game").c_str());
+    constexpr std::array kGame = {Credit{"lamplighter, Lanthorn", "MIT"}};
+    list(kGame);
+    section(model.page, model.say("Fonts").c_str());
+    list(kFonts);
+    section(model.page, model.say("Libraries").c_str());
+    list(kLibraries);
+    end_column(model.page);
+    return wants_back(model.page) ? Event{Happening::back} : event;
+}
+
+}  // namespace lanthorn::game::ui
