@@ -1,6 +1,7 @@
 #include "lanthorn/render/frame.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "engine/render/frame_targets.h"
@@ -55,7 +56,12 @@ void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& tim
 void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "gbuffer");
     shared_->draw_for(settings);
+    if (upscales()) {
+        const vec2 drawn = vec2(size()) / vec2(targets_->upscaler->size());
+        shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(drawn.x * drawn.y));
+    }
     targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
+    shared_->gpu_scene_.set_texture_bias(0);
 }
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
@@ -93,7 +99,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
                            composite.radiance_framebuffer());
     }
     RenderSettings shown = settings;
-    shown.antialias = settings.antialias && !upscales();
+    shown.antialias = settings.antialias || upscales();
     composite.display(shown, cut_, &timer);
 }
 
@@ -107,8 +113,8 @@ void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {
     const bool whole = indirect_.radiance != nullptr;
     CameraUniforms looked = camera(scene);
     looked.shift = whole ? vec2(0) : looked.shift;
-    const bool still = !scene.changes.geometry && looked_ == scene.camera;
-    targets_->upscaler->add({targets_->composite.final(), targets_->gbuffer, shared_->gpu_scene_, looked,
+    const bool still = scene.changes.nothing() && looked_ == scene.camera;
+    targets_->upscaler->add({targets_->composite.unsmoothed(), targets_->composite.final(), targets_->gbuffer, shared_->gpu_scene_, looked,
                              through, still, scene.changes.replaced},
                             settings);
     looked_ = scene.camera;

@@ -262,6 +262,12 @@ void GpuScene::list_instances() {
     }
 }
 
+void GpuScene::set_texture_bias(float levels) const {
+    if (textures_) {
+        textures_->set_bias(levels);
+    }
+}
+
 std::span<const std::uint32_t> GpuScene::instances(DrawSet set) const {
     return lists_[static_cast<std::size_t>(set)];
 }

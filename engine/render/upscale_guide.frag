@@ -7,21 +7,23 @@
 #include "upscale_motion.glsl"
 
 layout(location = 0) out vec4 out_mean;    // YCoCg of 3 x 3 pixels
-layout(location = 1) out vec4 out_spread;  // their standard deviation; a: 1 where the frame before saw the same
+layout(location = 1) out vec4 out_spread;  // their standard deviation; a: how well the past tells what they are, 0..1
 #ifdef MOVING
-layout(location = 2) out vec4 out_motion;  // upscale_motion.glsl
+layout(location = 2) out vec4 out_motion;  // xy: upscale_motion.glsl; z: 1 where the frame before saw the same surface
 
 uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
 uniform sampler2D distance_before;
 uniform sampler2D normals_before;
 uniform vec2 shift_before;
+uniform sampler2D history;  // upscale_resolve.frag
 #ifdef WITH_MOVERS
 uniform sampler2D movers;
 #endif
 
 const float kSameDistance = 0.01;  // of it
 const float kSameNormal = 0.8;     // cosine
+const float kSameLight = 0.1;     // standard deviations that the past may be wrong by in the mean
 
 // Whether the frame before saw, at `uv` or beside, a surface of that normal so far away.
 bool was_seen(vec2 uv, float distance, float slack, vec3 normal) {
@@ -87,7 +89,16 @@ void main() {
     float slack = kSameDistance * motion.z + 2.0 * pixel_width * sqrt(1.0 - min(cosine * cosine, 1.0)) / cosine;
     vec2 before = (gl_FragCoord.xy + shift) / size - motion.xy;
     bool inside = motion.z >= 0.0 && before == clamp(before, vec2(0.0), vec2(1.0));
-    out_spread.a = inside && was_seen(before, seen > 0.0 ? motion.z : 0.0, slack, normal) ? 1.0 : 0.0;
-    out_motion = vec4(motion, 0.0);
+    bool same = inside && was_seen(before, seen > 0.0 ? motion.z : 0.0, slack, normal);
+    out_motion = vec4(motion.xy, same ? 1.0 : 0.0, 0.0);
+    // Light that moves is no motion of what it falls on: it is told by what the past says of these very samples.
+    float past = 0.0;
+    for (int k = 0; k < 9; ++k) {
+        ivec2 p = clamp(pixel + ivec2(k % 3, k / 3) - 1, ivec2(0), last);
+        vec4 h = texture(history, (vec2(p) + 0.5 + shift) / size - motion.xy);
+        past += is_bad(h) ? mean.x : dot(h.rgb, vec3(0.25, 0.5, 0.25));
+    }
+    float wrong = abs(past / 9.0 - mean.x) / (out_spread.x + 1.0 / 255.0);
+    out_spread.a = 1.0 - smoothstep(kSameLight, 3.0 * kSameLight, wrong);
 #endif
 }

@@ -5,7 +5,8 @@
 
 layout(location = 0) out vec4 out_picture;
 
-uniform sampler2D picture;  // as drawn, encoded for display
+uniform sampler2D picture;   // as drawn, encoded for display
+uniform sampler2D smoothed;  // the same with smooth edges
 uniform vec2 shift;         // drawn pixels: how far off its middle each was looked through
 uniform vec2 ratio;         // drawn pixels a pixel of the whole picture
 #ifdef WITH_HISTORY
@@ -30,7 +31,7 @@ vec3 along_edges(ivec2 nearest, vec2 here) {
     vec3 c[9];
     float y[9];
     for (int k = 0; k < 9; ++k) {
-        c[k] = texelFetch(picture, clamp(nearest + ivec2(k % 3, k / 3) - 1, ivec2(0), last), 0).rgb;
+        c[k] = texelFetch(smoothed, clamp(nearest + ivec2(k % 3, k / 3) - 1, ivec2(0), last), 0).rgb;
         y[k] = dot(c[k], vec3(0.25, 0.5, 0.25));
     }
     vec2 f = here - vec2(nearest);  // 0..1 in the middle one
@@ -62,11 +63,6 @@ vec3 along_edges(ivec2 nearest, vec2 here) {
 }
 
 #ifdef WITH_HISTORY
-bool is_bad(vec4 v) {  // by bits: a compiler may take isnan() for false
-    uvec4 exponent = floatBitsToUint(v) & 0x7f800000u;
-    return any(equal(exponent, uvec4(0x7f800000u)));
-}
-
 #ifdef MOVING
 // Catmull-Rom between 4 x 4 texels in five bilinear look-ups: the corners count next to nothing (Jimenez 2016, "Filmic SMAA").
 vec4 resampled(vec2 uv) {
@@ -115,30 +111,34 @@ void main() {
         sum += w * texelFetch(picture, p, 0).rgb;
         weights += w;
     }
-    vec4 spread = texelFetch(guide_spread, nearest, 0);
+    vec2 between = here / vec2(last + 1);
+    vec4 spread = texture(guide_spread, between);
+    vec3 mean = texture(guide_mean, between).rgb;
 #ifdef MOVING
-    vec2 motion = texelFetch(guide_motion, nearest, 0).xy;
+    vec3 moved = texelFetch(guide_motion, nearest, 0).xyz;
+    vec2 motion = moved.xy;
     vec2 whole = vec2(textureSize(history, 0));
     vec4 past = resampled(gl_FragCoord.xy / whole - motion);
     float way = clamp(length(motion * whole) * 4.0, 0.0, 1.0);  // a quarter of a pixel blurs as a whole one
     float most = min(most_known, mix(most_known, kMostMoving, way));
+    most *= spread.a * moved.z;
 #else
     vec4 past = texelFetch(history, ivec2(gl_FragCoord.xy), 0);
     float most = most_known;
 #endif
-    bool good = spread.a > 0.0 && past.a > 0.0 && !is_bad(past);
+    bool good = past.a > 0.0 && !is_bad(past);
     float known = good ? min(past.a, most) : 0.0;
     float beyond;
-    vec3 kept = borne(good ? past.rgb : vec3(0.0), texelFetch(guide_mean, nearest, 0).rgb, spread.rgb, beyond);
-    known /= beyond;
+    vec3 kept = borne(good ? past.rgb : vec3(0.0), mean, spread.rgb, beyond);
+    known /= beyond * beyond;
     sum += known * kept;
     weights += known;
-    // Pixels that nothing is known of are few: where there is none this is not run through.
-    bool unknown = known <= 0.0;
-    while (unknown) {
-        sum += kOwn * along_edges(nearest, here);
-        weights += kOwn;
-        unknown = false;
+    // Pixels of which little is known are few: where there is none this is not run through.
+    float unknown = clamp(1.0 - known, 0.0, 1.0);
+    while (unknown > 0.0) {
+        sum += kOwn * unknown * along_edges(nearest, here);
+        weights += kOwn * unknown;
+        unknown = 0.0;
     }
     out_picture = vec4(sum / weights, weights);
 #else

@@ -47,6 +47,8 @@ Upscaler::Upscaler(ivec2 drawn, ivec2 whole)
       still_guide_framebuffer_({&mean_, &spread_}, nullptr),
       movers_(drawn),
       sharpen_({"engine/render/fullscreen.vert", "engine/render/upscale_sharpen.frag"}) {
+    mean_.set_filter(GL_LINEAR, GL_LINEAR);
+    spread_.set_filter(GL_LINEAR, GL_LINEAR);
     for (int i = 0; i < 2; ++i) {
         history_[i] = gpu::Texture::make_2d(GL_RGBA16F, whole);
         history_[i].set_filter(GL_LINEAR, GL_LINEAR);
@@ -107,7 +109,8 @@ void Upscaler::guide(const Frame& frame, bool moving) {
                             {"gbuffer_normals", &frame.gbuffer.normals()},
                             {"distance_before", &distance_before_},
                             {"normals_before", &normals_before_},
-                            {"movers", &movers_.motion()}};
+                            {"movers", &movers_.motion()},
+                            {"history", &history()}};
     GLuint unit = 0;
     for (const Input& input : inputs) {
         input.texture->bind(unit);
@@ -116,7 +119,9 @@ void Upscaler::guide(const Frame& frame, bool moving) {
     frame.camera.set(program);
     program.set("shift", frame.camera.shift);
     program.set("shift_before", shift_before_);
-    set_before(program, *before_);
+    if (moving) {
+        set_before(program, *before_);
+    }
     draw_fullscreen(program, moving ? guide_framebuffer_ : still_guide_framebuffer_, drawn_);
 }
 
@@ -137,7 +142,8 @@ void Upscaler::resolve(const Frame& frame, bool with_history, bool moving) {
                             {"guide_mean", &mean_},
                             {"guide_spread", &spread_},
                             {"guide_motion", &motion_},
-                            {"history", &history()}};
+                            {"history", &history()},
+                            {"smoothed", &frame.smoothed}};
     GLuint unit = 0;
     for (const Input& input : inputs) {
         input.texture->bind(unit);

@@ -33,12 +33,13 @@ class Upscaler {
 
     // What a frame is made from.
     struct Frame {
-        const gpu::Texture& picture;  // RGBA8, encoded for display
+        const gpu::Texture& picture;   // RGBA8, encoded for display
+        const gpu::Texture& smoothed;  // the same with smooth edges
         const GBuffer& gbuffer;
         const GpuScene& scene;
         CameraUniforms camera;   // with its shift
         CameraUniforms through;  // the same, through the middles
-        bool still = false;      // nothing but the shift differs from the frame before
+        bool still = false;      // nothing but the shift differs from the frame before: no camera, thing or light
         bool cut = false;        // the scene is another
     };
     // Fills whole(). History is dropped at a cut, and where the camera turns by more than 60 degrees or has

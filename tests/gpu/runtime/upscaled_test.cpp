@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/settings.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/framebuffer.h"
@@ -50,6 +53,7 @@ Settings settings_for(const Way& way) {
     s.set("render.exposure.darkest", 0.1f);
     s.set("render.antialias", true);
     s.set_from_text(std::string("render.upscale=") + way.upscale);
+    if (const char* t = getenv("UPX")) { std::string all(t); std::size_t at; while (!all.empty()) { at = all.find(' '); s.set_from_text(all.substr(0, at)); all = at == std::string::npos ? "" : all.substr(at + 1); } }
     return s;
 }
 
@@ -73,7 +77,7 @@ struct Shown {
 };
 
 // The last `kept` of kFrames + 1 frames.
-Shown show(const SceneData& scene, const workbench::SceneChoice& choice, Motion motion, const Way& way,
+Shown show(const SceneData& scene, const SceneChoice& choice, Motion motion, const Way& way,
            int kept) {
     const auto context = gpu::create_headless_context();
     workbench::MovingScene moving(scene, choice, motion, kFrames);
@@ -122,6 +126,17 @@ struct Case {
     double most;  // FLIP
 };
 
+// For looking at.
+void keep(const Shown& shown, const Case& c, const Way& way) {
+    std::string name = c.name;
+    std::ranges::replace(name, ' ', '-');
+    std::erase(name, ',');
+    std::filesystem::create_directories(LANTHORN_PICTURES);
+    write_image(std::filesystem::path(LANTHORN_PICTURES) / ("upscaled-" + name + "-" + way.name + ".png"),
+                shown.pictures.back());
+    if (getenv("UPX4") && shown.pictures.size() == 4) { for (int i = 0; i < 4; ++i) write_image(std::filesystem::path(LANTHORN_PICTURES) / ("seq-" + name + "-" + way.name + std::to_string(i) + ".png"), shown.pictures[i]); }
+}
+
 class Upscaled : public testing::TestWithParam<Case> {};
 
 TEST_P(Upscaled, IsNearerToFullSizeThanSingleFramesAre) {
@@ -129,9 +144,15 @@ TEST_P(Upscaled, IsNearerToFullSizeThanSingleFramesAre) {
     const SceneData scene = import_gltf(support::repository_file(std::string("assets/") + c.file));
     const int kept = c.motion == Motion::rest ? 1 : 4;
     const Shown full = show(scene, {}, c.motion, kFull, kept);
-    const double blit = flip_of(show(scene, {}, c.motion, kBlit, kept), full);
-    const double spatial = flip_of(show(scene, {}, c.motion, kSpatial, kept), full);
-    const double temporal = flip_of(show(scene, {}, c.motion, kTemporal, kept), full);
+    keep(full, c, kFull);
+    const auto error_of = [&](const Way& way) {
+        const Shown shown = show(scene, {}, c.motion, way, kept);
+        keep(shown, c, way);
+        return flip_of(shown, full);
+    };
+    const double blit = error_of(kBlit);
+    const double spatial = error_of(kSpatial);
+    const double temporal = error_of(kTemporal);
     std::printf("%-22s FLIP to full size: blit %.4f, spatial %.4f, temporal %.4f\n", c.name, blit, spatial,
                 temporal);
     EXPECT_LE(temporal, c.most);

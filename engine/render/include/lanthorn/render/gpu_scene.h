@@ -110,6 +110,10 @@ class GpuScene {
     void use_levels(bool use) { levels_used_ = use; }
     bool uses_levels() const { return levels_used_; }  // as use_levels() has been told
 
+    // What is added to the levels of mipmaps that draws read from here on: negative where the picture will
+    // have more pixels than are drawn.
+    void set_texture_bias(float levels) const;
+
     // The same as draw(), at levels. Tagged: attribute 6 and 7 of scene_vertex.glsl are the instance and its
     // first layer, from a buffer of this call's.
     void draw(const SceneProgram& program, std::span<const DrawnInstance> instances,
