@@ -114,9 +114,10 @@ void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {
     CameraUniforms looked = camera(scene);
     looked.shift = whole ? vec2(0) : looked.shift;
     const bool still = scene.changes.nothing() && looked_ == scene.camera;
-    targets_->upscaler->add({targets_->composite.unsmoothed(), targets_->composite.final(), targets_->gbuffer, shared_->gpu_scene_, looked,
-                             through, still, scene.changes.replaced},
-                            settings);
+    targets_->upscaler->add(
+        {targets_->composite.unsmoothed(), targets_->composite.final(), targets_->gbuffer,
+         shared_->gpu_scene_, looked, through, still, scene.changes.replaced, scene.origin},
+        settings);
     looked_ = scene.camera;
     ++upscaled_;
 }

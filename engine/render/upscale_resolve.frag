@@ -22,7 +22,11 @@ uniform sampler2D guide_motion;
 const float kSharp = 3.0;       // a sample d pixels of the whole picture away counts exp2(-kSharp d^2)
 const float kOwn = 0.25;        // samples that the spatial guess counts for
 const float kMostMoving = 4.0;  // samples that a past counts for which has been resampled
-const float kWide = 1.25;       // standard deviations that the past may differ by (Salvi 2016)
+#ifdef MOVING
+const float kWide = 1.0;        // standard deviations that the past may differ by (Salvi 2016)
+#else
+const float kWide = 2.0;        // where nothing moves it knows more than one frame's pixels do
+#endif
 
 // Between 3 x 3 drawn pixels: a kernel that is long along an edge and short across it. Direction and how sure it is come from the
 // structure tensor of brightness, weighed by nearness (after the idea of FSR 1: Lottes 2021, "FidelityFX Super Resolution", EASU).

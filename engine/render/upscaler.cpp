@@ -64,7 +64,8 @@ vec2 Upscaler::shift(std::uint64_t frame) const {
 }
 
 bool Upscaler::follows(const Frame& frame) const {
-    if (!before_ || frame.cut || before_->orthographic != frame.through.orthographic) {
+    if (!before_ || frame.cut || frame.origin != origin_before_ ||
+        before_->orthographic != frame.through.orthographic) {
         return false;
     }
     const float angle = glm::length(frame.through.up) / glm::length(before_->up);
@@ -84,6 +85,7 @@ void Upscaler::add(const Frame& frame, const RenderSettings& settings) {
         copy(frame.gbuffer.normals(), normals_before_);
         before_ = frame.through;
         shift_before_ = frame.camera.shift;
+        origin_before_ = frame.origin;
     }
     sharpen_.set("whole", 0);
     sharpen_.set("sharpness", settings.upscale_sharpness);
@@ -138,12 +140,9 @@ void Upscaler::resolve(const Frame& frame, bool with_history, bool moving) {
         const char* name;
         const gpu::Texture* texture;
     };
-    const Input inputs[] = {{"picture", &frame.picture},
-                            {"guide_mean", &mean_},
-                            {"guide_spread", &spread_},
-                            {"guide_motion", &motion_},
-                            {"history", &history()},
-                            {"smoothed", &frame.smoothed}};
+    const Input inputs[] = {{"picture", &frame.picture}, {"guide_mean", &mean_},
+                            {"guide_spread", &spread_},  {"guide_motion", &motion_},
+                            {"history", &history()},     {"smoothed", &frame.smoothed}};
     GLuint unit = 0;
     for (const Input& input : inputs) {
         input.texture->bind(unit);

@@ -39,8 +39,9 @@ class Upscaler {
         const GpuScene& scene;
         CameraUniforms camera;   // with its shift
         CameraUniforms through;  // the same, through the middles
-        bool still = false;      // nothing but the shift differs from the frame before: no camera, thing or light
-        bool cut = false;        // the scene is another
+        bool still = false;  // nothing but the shift differs from the frame before: no camera, thing or light
+        bool cut = false;    // the scene is another
+        dvec3 origin{0};     // FrameScene::origin; another one is a cut
     };
     // Fills whole(). History is dropped at a cut, and where the camera turns by more than 60 degrees or has
     // another angle of view. O(pixels of whole()).
@@ -69,6 +70,7 @@ class Upscaler {
     MotionPass movers_;
     std::optional<CameraUniforms> before_;  // the frame before looked through the middles; none: no history
     vec2 shift_before_{0};
+    dvec3 origin_before_{0};
     gpu::ProgramVariants guide_{{"engine/render/fullscreen.vert", "engine/render/upscale_guide.frag"}};
     gpu::ProgramVariants resolve_{{"engine/render/fullscreen.vert", "engine/render/upscale_resolve.frag"}};
     gpu::Program sharpen_;

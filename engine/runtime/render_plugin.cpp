@@ -66,7 +66,8 @@ void gather_detail(const ecs::World& world, const FrameScene& before, const Rend
 // What differs from the frame before goes to the GPU.
 void upload(Res<FrameScene> scene, ResMut<Renderer> renderer) {
     renderer->shared->keep_before(std::ranges::any_of(renderer->views, [](const auto& view) {
-        return view->frame->settings.upscale == render::Upscale::temporal;
+        return view->frame->settings.upscale == render::Upscale::temporal &&
+               view->frame->final_size() != view->frame->size();
     }));
     renderer->shared->update(*scene, *renderer->timer);
     ++renderer->frames;
