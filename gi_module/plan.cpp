@@ -16,7 +16,7 @@ float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
         const Material& m = scene.material(instance);
-        if (m.unlit || m.alpha_mode == AlphaMode::blend) {  // blended surfaces take no part
+        if (m.unlit) {
             continue;
         }
         // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass, or

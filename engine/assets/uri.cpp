@@ -7,18 +7,18 @@ namespace lanthorn {
 
 namespace {
 
-constexpr std::array<std::int8_t, 256> base64_values() {
-    std::array<std::int8_t, 256> values{};
+constexpr std::array<int, 256> base64_values() {
+    std::array<int, 256> values{};
     values.fill(-1);
     constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < alphabet.size(); ++i) {
-        values[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+        values[static_cast<unsigned char>(alphabet[i])] = static_cast<int>(i);
     }
     return values;
 }
 
 std::optional<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
-    static constexpr std::array<std::int8_t, 256> kValues = base64_values();
+    static constexpr std::array<int, 256> kValues = base64_values();
     for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) {
         text.remove_suffix(1);
     }

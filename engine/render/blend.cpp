@@ -10,7 +10,8 @@ namespace lanthorn::render {
 BlendPass::BlendPass() : programs_({"engine/render/gbuffer.vert", "engine/render/blend.frag"}) {}
 
 void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
-                     const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size) {
+                     const CameraUniforms& camera, const gpu::Texture* irradiance,
+                     const gpu::Framebuffer& target, ivec2 size) {
     gpu_scene.find_visible(DrawSet::blend, camera.frustum(), order_);
     if (order_.empty()) {
         return;
@@ -22,6 +23,12 @@ void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const L
     // Behind the material's own texture units.
     const gpu::Program& program = programs_.bind(light_maps, static_cast<GLuint>(kMaterialTextures));
     camera.set(program);
+    program.set("lit_indirectly", irradiance != nullptr ? 1 : 0);
+    if (irradiance != nullptr) {
+        constexpr GLuint kUnit = static_cast<GLuint>(kMaterialTextures) + kLightMapUnits;
+        irradiance->bind(kUnit);
+        program.set("indirect_irradiance", static_cast<int>(kUnit));
+    }
     target.bind(size);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);

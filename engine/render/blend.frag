@@ -1,5 +1,5 @@
 #version 450 core
-// A see-through surface over what lies behind it: its direct light and emission, weighted with its alpha.
+// A see-through surface over what lies behind it: its direct light and emission, weighted with its alpha. The G-buffer has its solid parts.
 #include "camera.glsl"
 #include "composite_state.glsl"
 #include "direct.glsl"
@@ -7,11 +7,15 @@
 
 layout(location = 0) out vec4 out_radiance;
 
+uniform int lit_indirectly;
+uniform sampler2D indirect_irradiance;  // of what lies behind
+
 void main() {
     vec3 towards = camera_orthographic != 0 ? -camera_forward : camera_position - scene.position;
     vec3 geometric = geometric_normal(towards);
     vec3 shading = shading_normal(gl_FrontFacing);
     SurfaceMaterial m = evaluate_material();
+    if (m.alpha >= kSolidAlpha) discard;
     vec3 radiance;
     if (m.unlit) {
         // Shown as it is: undone what the exposure will do.
@@ -20,6 +24,12 @@ void main() {
         vec3 base = m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic);
         LitSurface surface = LitSurface(scene.position, normalize(towards), shading, geometric, base, m.metallic, m.roughness, m.f0);
         radiance = m.emissive + direct_radiance(surface, 0.0);
+        if (lit_indirectly != 0) {
+            float reflects = base_reflectance(m.metallic, m.transmission, m.roughness, materials[scene.material].reflects.y,
+                                              materials[scene.material].reflects.z);
+            vec3 irradiance = texelFetch(indirect_irradiance, ivec2(gl_FragCoord.xy), 0).rgb;
+            radiance += irradiance * m.base_colour * (reflects * m.occlusion * 0.31830988618);
+        }
     }
     if (is_bad(radiance)) {
         atomicAdd(state.nan_count, 1u);

@@ -18,10 +18,12 @@ class BlendPass {
     BlendPass();
 
     // Draws the blended instances over `target`'s colour (radiance, nits), farthest first by the centres of
-    // their bounds, behind what `target`'s depth holds. They get direct light alone and cast no shadow. Costs
+    // their bounds, behind what `target`'s depth holds, but for their solid parts (alpha_coverage.h). Of
+    // indirect light they get what falls on what lies behind them: `irradiance`, by pixel, or null. Costs
     // nothing where the scene has none. The buffer of composite_state.glsl must be bound.
     void draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
-              const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size);
+              const CameraUniforms& camera, const gpu::Texture* irradiance, const gpu::Framebuffer& target,
+              ivec2 size);
 
   private:
     LightPrograms programs_;

@@ -295,7 +295,7 @@ int ways_of(std::span<const Part> triangles) {
     for (const Part& t : triangles) {
         const vec3 n = t.rest.facing(), a = glm::abs(n);
         const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : a.y >= a.z ? 1 : 2;
-        light[static_cast<std::size_t>(2 * axis + (n[axis] < 0 ? 1 : 0))] += t.light();
+        light[2 * static_cast<std::size_t>(axis) + (n[axis] < 0 ? 1 : 0)] += t.light();
     }
     const double whole = light_of(triangles);
     return static_cast<int>(std::ranges::count_if(light, [&](double l) { return l > kLeast * whole; }));

@@ -86,7 +86,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         composite.combine(targets_->gbuffer,
                           {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
                           shared_->sky_, camera(scene));
-        shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene),
+        shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene), indirect.irradiance,
                              composite.radiance_framebuffer(), size());
     }
     if (settings.air_scattering > 0) {

@@ -31,7 +31,7 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     program_.prepare(gpu_scene.variants());
     camera.set(program_);
     program_.set("emissive_scale", emissive_scale_);
-    gpu_scene.find_visible(DrawSet::opaque_and_mask, camera.frustum(), visible_);
+    gpu_scene.find_visible(DrawSet::solid, camera.frustum(), visible_);
     const float pixel = 2 * glm::length(camera.up) / static_cast<float>(size_.y);
     const TexelSize texel{camera.position, camera.orthographic ? 0 : pixel, camera.orthographic ? pixel : 0};
     drawn_.clear();

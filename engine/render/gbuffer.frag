@@ -19,7 +19,7 @@ void main() {
     SurfaceMaterial m = evaluate_material();
     vec3 shading = shading_normal(gl_FrontFacing);
 #ifdef MASKED  // a shader that may discard tests depth late, even where it does not
-    if (material_cut_out(m.alpha)) discard;
+    if (material_not_solid(m.alpha)) discard;
 #endif
     out_distance = camera_distance(relative);
     out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));

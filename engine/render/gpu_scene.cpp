@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/render/scene_textures.h"
+#include "engine/scene/alpha_coverage.h"
 #include "lanthorn/scene/diffuse_reflectance.h"
 
 namespace lanthorn::render {
@@ -158,12 +159,12 @@ void GpuScene::draw_before(const gpu::Program& program, std::span<const DrawnIns
 
 GpuScene::MaterialState GpuScene::state_of(const Material& m, std::uint64_t version) {
     const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
-    MaterialVariant variant = m.alpha_mode == AlphaMode::mask ? kMaskedVariant : 0;
+    MaterialVariant variant = m.alpha_mode != AlphaMode::opaque ? kMaskedVariant : 0;
     const auto references = m.textures();
     for (std::uint32_t i = 0; i < references.size(); ++i) {
         variant |= references[i]->present() ? 1u << i : 0;
     }
-    return {version, m.double_sided, m.alpha_mode, variant, emissive};
+    return {version, m.double_sided, m.alpha_mode, m.base_colour.a >= kSolidAlpha, variant, emissive};
 }
 
 void GpuScene::follow_assets(const SceneAssets& assets) {
@@ -251,8 +252,9 @@ void GpuScene::list_instances() {
         list(DrawSet::all).push_back(i);
         if (material.alpha == AlphaMode::blend) {
             list(DrawSet::blend).push_back(i);
-        } else {
-            list(DrawSet::opaque_and_mask).push_back(i);
+        }
+        if (material.alpha != AlphaMode::blend || material.solid_parts) {
+            list(DrawSet::solid).push_back(i);
         }
         if (variants_.empty() || variants_.back() != material.variant) {  // they come in order
             variants_.push_back(material.variant);

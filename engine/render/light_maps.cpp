@@ -240,7 +240,7 @@ void LightMaps::draw(const LightData& light, int face, const GpuScene& gpu_scene
     const bool parallel = light.type == kLightDirectional;
     const TexelSize texel{light.position, parallel ? 0 : light.texel, parallel ? light.texel : 0};
     visible_.clear();
-    for (const std::uint32_t i : gpu_scene.instances(DrawSet::opaque_and_mask)) {
+    for (const std::uint32_t i : gpu_scene.instances(DrawSet::all)) {
         const bool wanted = which == Which::all || (which == Which::moving && motion_.moving(i)) ||
                             (which == Which::still && !motion_.moving(i)) ||
                             (which == Which::rested && motion_.rested(i));

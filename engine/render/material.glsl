@@ -1,6 +1,7 @@
 // A surface's material at a fragment, textures included. For fragment shaders behind scene_vertex.glsl.
 #ifndef LANTHORN_MATERIAL_GLSL
 #define LANTHORN_MATERIAL_GLSL
+#include "engine/scene/alpha_coverage.h"
 #include "engine/scene/include/lanthorn/scene/diffuse_reflectance.h"
 #include "engine/render/include/lanthorn/render/scene_structs.h"
 #define SCENE_VARYING in
@@ -61,9 +62,15 @@ vec4 material_base() {
     return base;
 }
 
-// Whether a masked material leaves this fragment out.
+// Whether a masked material leaves this fragment out, or a blended one does not cover it.
 bool material_cut_out(float alpha) {
+    if ((scene.flags & kMaterialBlend) != 0u) return alpha <= alpha_threshold(scene.position);
     return (scene.flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
+}
+
+// The same for a camera: what is blended it shows solid where it is next to opaque, and over the picture elsewhere.
+bool material_not_solid(float alpha) {
+    return (scene.flags & kMaterialBlend) != 0u ? alpha < kSolidAlpha : material_cut_out(alpha);
 }
 
 // Only what albedo_to_keep() and material_cut_out() need; the rest is 0. The cheaper one, for maps.

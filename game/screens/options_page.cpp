@@ -64,7 +64,7 @@ void step_budget(Preferences& preferences, int step) {
 // What the frames cost, and what is spared for that.
 std::string frame_words(const Model& model, const Preferences& preferences) {
     const auto number = [](double value) { return fmt::format("{:.0f}", value); };
-    const std::string time =
+    std::string time =
         fill_in(model.say("{ms} ms a frame"), [&](std::string_view) { return number(model.frame_ms); });
     if (model.drawn == model.picture && model.drawn_preset == preferences.preset) {
         return time;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scene/alpha_coverage.h"
 #include "gi_module/reference/path_dimensions.h"
 #include "gi_module/reference/sampling.h"
 
@@ -26,7 +27,7 @@ Integrator::Integrator(const TraceScene& scene, const MaterialTable& materials, 
       lights_(lights),
       sky_(sky),
       settings_(settings),
-      blended_(settings.transport == Transport::full ? Blended::met : Blended::ignored) {
+      blended_(settings.transport == Transport::full ? Blended::met : Blended::by_chance) {
     if (settings.transport == Transport::full) {
         sees_through_ = std::ranges::any_of(scene.instances(), [&](const TraceInstance& instance) {
             return materials[instance.material].sees_through;
@@ -70,6 +71,10 @@ Bsdf Integrator::bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material,
 vec3 Integrator::emission(const SurfaceHit& hit) const {
     const TraceInstance& instance = scene_.instances()[hit.instance];
     const MaterialConstants& material = materials_[instance.material];
+    // Of what is blended diffuse transport shows the emission to cameras alone, as the techniques do.
+    if (material.blend && settings_.transport != Transport::full) {
+        return vec3(0);
+    }
     if (!material.emits || !(hit.front || material.double_sided)) {
         return vec3(0);
     }
@@ -78,7 +83,7 @@ vec3 Integrator::emission(const SurfaceHit& hit) const {
 
 std::optional<FirstSurface> Integrator::first_surface(const CameraRay& ray) const {
     SurfaceHit hit;
-    if (!scene_.intersect(ray.origin, ray.direction, ray.nearest, ray.farthest, Blended::ignored, hit,
+    if (!scene_.intersect(ray.origin, ray.direction, ray.nearest, ray.farthest, Blended::solid, hit,
                           Sides::seen)) {
         return std::nullopt;
     }
@@ -328,6 +333,9 @@ Integrator::Shown Integrator::shown(const CameraRay& ray, const RandomNumbers& r
             return result;
         }
         const SurfaceMaterial material = material_at(hit);
+        if (!full && material.alpha >= kSolidAlpha) {
+            return result;  // the first surface
+        }
         const vec3 straight = full ? bsdf_at(hit, material, -flight.ray.direction).straight_through()
                                    : vec3(1 - material.alpha);
         const float chance = glm::clamp(largest(straight), 0.0f, 1.0f);

@@ -42,7 +42,7 @@ std::vector<std::uint32_t> LightSplitter::State::in_the_way(const DrawnLight& dr
     float nearest = 0;
     SurfaceHit hit;
     for (int layer = 0; layer < kMostInTheWay; ++layer) {
-        if (!scene.intersect(drawn.from, drawn.span, nearest, end, Blended::ignored, hit)) {
+        if (!scene.intersect(drawn.from, drawn.span, nearest, end, Blended::by_chance, hit)) {
             std::ranges::sort(result);
             return result;
         }
@@ -110,7 +110,7 @@ void LightSplitter::State::visit_punctual(const LitPoint& point, const Visit& vi
                                sample.infinite};
         const bool reaches = luminance(lux) > 0;
         const bool open =
-            reaches && !scene.occluded(drawn.from, drawn.span, drawn.to_infinity, Blended::ignored);
+            reaches && !scene.occluded(drawn.from, drawn.span, drawn.to_infinity, Blended::by_chance);
         const float away = glm::length(light.position - point.position);
         visit(drawn, lux,
               open                                      ? Straight::lit
@@ -149,7 +149,7 @@ void LightSplitter::State::visit_emitter(const LitPoint& point, const RandomNumb
     const DrawnLight drawn{
         {LightKind::emitter, triangle.instance}, start, place + side * triangle.offset - start, false};
     visit(drawn, whole / (1 + static_cast<double>(ratio * ratio)), whole,
-          !scene.occluded(drawn.from, drawn.span, false, Blended::ignored));
+          !scene.occluded(drawn.from, drawn.span, false, Blended::by_chance));
 }
 
 // A batch of starts at the point, each with random numbers of its own: even numbers alone, one scrambled

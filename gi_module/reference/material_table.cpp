@@ -233,6 +233,13 @@ bool MaterialTable::cut_out(const TraceInstance& instance, std::uint32_t primiti
     return base_colour(m, corners, Textures(assets_, corners)).a < m.alpha_cutoff;
 }
 
+float MaterialTable::alpha(const TraceInstance& instance, std::uint32_t primitive,
+                           const vec2& barycentric) const {
+    const Material& m = assets_.materials[instance.material];
+    const Corners corners(*instance.mesh, primitive, barycentric);
+    return base_colour(m, corners, Textures(assets_, corners)).a;
+}
+
 vec3 MaterialTable::shading_normal(const TraceInstance& instance, const SurfaceHit& hit) const {
     const Material& m = assets_.materials[instance.material];
     // Interpolated after each vertex's normal is made unit in render space, as the vertex shader does.

@@ -64,6 +64,8 @@ class MaterialTable {
     vec3 emission(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
     // Whether a masked material leaves the point out.
     bool cut_out(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
+    // Of a blended material, 0..1.
+    float alpha(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
     // The shading normal with normal mapping, unit, turned to the side that the ray came from.
     vec3 shading_normal(const TraceInstance& instance, const SurfaceHit& hit) const;
 

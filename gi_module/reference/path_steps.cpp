@@ -253,7 +253,7 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
     const std::uint32_t dimension = vertex_dimension(path, reflections);
     std::array<LightSource, std::size_t{3} * kLanes> sources;  // by lane: a light, an emitter, the sky
     const auto drawn_from = [&](int kind, int lane, LightKind what, std::uint32_t index) {
-        sources[static_cast<std::size_t>(kind * kLanes + lane)] = {what, index};
+        sources[static_cast<std::size_t>(kind) * kLanes + static_cast<std::size_t>(lane)] = {what, index};
     };
     const bool full = settings_.transport == Transport::full;
     Lanes<float> light_choice{};
@@ -308,7 +308,8 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
         carried[count] = shadow.light.at(lane);
         lanes[count] = lane;
         if (listener != nullptr) {
-            told[count] = {sources[static_cast<std::size_t>(kind * kLanes + lane)], from, span, to_infinity};
+            told[count] = {sources[static_cast<std::size_t>(kind) * kLanes + static_cast<std::size_t>(lane)],
+                           from, span, to_infinity};
         }
         if (looks_through() && !is_black(carried[count])) {
             const vec3 open = carried[count];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scene/alpha_coverage.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/ray_log.h"
 #include "lanthorn/core/error.h"
@@ -18,7 +19,7 @@ namespace {
 
 // Embree's geometry masks: rays that ignore blended surfaces have only the first bit.
 constexpr unsigned kSolidMask = 1;
-constexpr unsigned kBlendedMask = 2;
+constexpr unsigned kBlendedMask = 2 | 4 | 8;
 
 // Rounding of a triangle's plane, of a point on it and of Embree's own test, in units of its largest
 // coordinate: a few steps of 2^-23 each, and then some.
@@ -61,6 +62,7 @@ struct TraceScene::FilterData {
     const TraceScene* scene;
     std::uint32_t instance;
     bool mask = false;
+    bool blend = false;
     float nearest = 0;  // metres: nearer to a ray's start it is not met
 };
 
@@ -288,14 +290,17 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
 
     const MaterialConstants& material = materials[mesh.material];
     shape.filter->mask = material.mask;
+    shape.filter->blend = material.blend;
     shape.filter->nearest = shape.reduced ? 2 * shape.reduced->error * instance.bounds.diagonal() : 0;
     rtcSetGeometryMask(geometry, material.blend ? kBlendedMask : kSolidMask);
-    const RTCFilterFunctionN filter = material.mask || shape.filter->nearest > 0 ? pass_left_out : nullptr;
+    const bool filtered = material.mask || material.blend || shape.filter->nearest > 0;
+    const RTCFilterFunctionN filter = filtered ? pass_left_out : nullptr;
     rtcSetGeometryIntersectFilterFunction(geometry, filter);
     rtcSetGeometryOccludedFilterFunction(geometry, filter);
 }
 
-// Of a masked material where it is cut out, of a reduced shape where it is nearer than it is exact.
+// Of a masked material where it is cut out, of a blended one where it is not met, of a reduced shape where it
+// is nearer than it is exact.
 void TraceScene::pass_left_out(const RTCFilterFunctionNArguments* arguments) {
     const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
     if (data.nearest > 0) {
@@ -312,6 +317,21 @@ void TraceScene::pass_left_out(const RTCFilterFunctionNArguments* arguments) {
                            RTCHitN_v(arguments->hit, arguments->N, 0));
     if (data.mask && data.materials->cut_out(data.scene->instances_[data.instance], primitive, barycentric)) {
         *arguments->valid = 0;
+    }
+    const auto blended = static_cast<Blended>(RTCRayN_mask(arguments->ray, arguments->N, 0));
+    if (data.blend && blended != Blended::met) {
+        const float alpha =
+            data.materials->alpha(data.scene->instances_[data.instance], primitive, barycentric);
+        const float t = RTCRayN_tfar(arguments->ray, arguments->N, 0);
+        const vec3 p(RTCRayN_org_x(arguments->ray, arguments->N, 0) +
+                         t * RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+                     RTCRayN_org_y(arguments->ray, arguments->N, 0) +
+                         t * RTCRayN_dir_y(arguments->ray, arguments->N, 0),
+                     RTCRayN_org_z(arguments->ray, arguments->N, 0) +
+                         t * RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+        if (blended == Blended::solid ? alpha < kSolidAlpha : alpha <= alpha_threshold(p)) {
+            *arguments->valid = 0;
+        }
     }
 }
 

@@ -50,8 +50,14 @@ struct SurfaceHit {
     vec2 barycentric{0};         // weights of the second and third vertex
 };
 
-// Which surfaces a ray meets. Masked ones are met where they are not cut out, always.
-enum class Blended : std::uint32_t { ignored = 1, met = 3 };  // Embree's ray masks
+// Which blended surfaces a ray meets: none, all, by chance with their alpha, or where a camera sees them
+// solid (alpha_coverage.h). Masked ones are met where they are not cut out, always.
+enum class Blended : std::uint32_t {
+    ignored = 1,
+    met = 2 | 1,
+    by_chance = 4 | 1,
+    solid = 8 | 1
+};  // Embree's ray masks
 
 // Which sides: the backs of single-sided surfaces may be passed over.
 enum class Sides { both, seen };

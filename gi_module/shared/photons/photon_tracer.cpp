@@ -86,7 +86,7 @@ PhotonTracer::PhotonTracer(const reference::TraceScene& scene, const reference::
       sources_(sources),
       settings_(settings),
       blended_(settings.scattering == PhotonScattering::full ? reference::Blended::met
-                                                             : reference::Blended::ignored) {}
+                                                             : reference::Blended::by_chance) {}
 
 void PhotonTracer::begin(std::uint64_t first, int count, Batch& batch) const {
     reference::PathLanes& lanes = batch.lanes;

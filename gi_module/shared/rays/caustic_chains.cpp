@@ -76,7 +76,7 @@ struct CausticChains::Numbers {
 };
 
 bool CausticChains::meet(const Flight& flight, SurfaceHit& hit) const {
-    constexpr auto kBlended = reference::Blended::ignored;
+    constexpr auto kBlended = reference::Blended::by_chance;
     if (!scene_.intersect(flight.origin, flight.direction, 0, std::numeric_limits<float>::infinity(),
                           kBlended, hit)) {
         return false;

@@ -32,7 +32,7 @@ class EmbreeRays final : public ExactRays {
             for (std::size_t i = first; i < end; ++i) {
                 queries.push_back(reference::TraceScene::query(rays[i].origin, rays[i].direction, 0,
                                                                std::numeric_limits<float>::infinity(),
-                                                               reference::Blended::ignored));
+                                                               reference::Blended::by_chance));
             }
             scene_.scene().intersect_all(queries);
             for (std::size_t i = first; i < end; ++i) {

@@ -27,7 +27,7 @@ struct SeenTriangle {
 // Of each face what a rasteriser needs to draw it as if it had drawn all of the scene: what a ray through the
 // middle of each texel meets, or nearly does where an edge passes close by, and the front of a sheet of two.
 // Sorted, each once. `stands`, by instance: 1 hides what lies behind, 0 is looked through. What is blended is
-// not there.
+// seen, and what lies behind it.
 class TriangleSight {
   public:
     virtual ~TriangleSight() = default;

@@ -68,8 +68,8 @@ class Chain {
         for (; way_.surfaces < kMostSurfaces; ++way_.surfaces) {
             SurfaceHit hit;
             if (!scene_.scene().intersect(way_.origin, way_.direction, 0,
-                                          std::numeric_limits<float>::infinity(), reference::Blended::ignored,
-                                          hit)) {
+                                          std::numeric_limits<float>::infinity(),
+                                          reference::Blended::by_chance, hit)) {
                 return {{.kind = kMetSky,
                          .normal = way_.direction,
                          .spread = way_.spread,

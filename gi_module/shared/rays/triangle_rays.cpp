@@ -103,17 +103,18 @@ class FaceRays {
 
     RTCRayHit query(const vec2& p) const {
         return TraceScene::query(face_.centre, cube_direction(face_.face, p), 0,
-                                 std::numeric_limits<float>::infinity(), Blended::ignored);
+                                 std::numeric_limits<float>::infinity(), Blended::met);
     }
 
-    // What the ray met, or meets behind what is looked through. What is cut out of masked surfaces a
-    // rasteriser may see otherwise: they are seen, and what lies behind them.
+    // What the ray met, or meets behind what is looked through. What is cut out of masked and blended
+    // surfaces a rasteriser may see otherwise: they are seen, and what lies behind them.
     void add(RTCRayHit& ray, const vec2& p, std::vector<SeenTriangle>& seen) const {
         for (int k = 0; ray.hit.geomID != RTC_INVALID_GEOMETRY_ID && k < kMostLookedThrough; ++k) {
-            const bool masked = scene_.materials()[scene_.scene().instances()[ray.hit.geomID].material].mask;
+            const reference::MaterialConstants& material =
+                scene_.materials()[scene_.scene().instances()[ray.hit.geomID].material];
             if (stands_[ray.hit.geomID] != 0) {
                 add_met(ray, p, seen);
-                if (!masked) {
+                if (!material.mask && !material.blend) {
                     return;
                 }
             }
@@ -133,7 +134,7 @@ class FaceRays {
             const float t = ray.ray.tfar;
             reference::SurfaceHit front;
             if (scene_.scene().intersect(face_.centre, cube_direction(face_.face, p), t * (1 - kSheet),
-                                         t * (1 + kSheet), Blended::ignored, front, reference::Sides::seen) &&
+                                         t * (1 + kSheet), Blended::met, front, reference::Sides::seen) &&
                 stands_[front.instance] != 0) {
                 seen.push_back({front.instance, front.primitive});
             }

@@ -56,7 +56,7 @@ bool PictureMaps::draw_face(const render::LightInputs& inputs, const render::Lig
     const Frustum frustum = frustum_of(light, face);
     const render::TexelSize texel{light.position, light.texel, 0};
     visible_.clear();
-    for (const std::uint32_t i : inputs.gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
+    for (const std::uint32_t i : inputs.gpu_scene.instances(render::DrawSet::all)) {
         if (!frustum.touches(inputs.scene.instances[i].bounds)) {
             continue;
         }

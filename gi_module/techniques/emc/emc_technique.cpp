@@ -325,9 +325,6 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
                std::pair(before->id, before->mesh) < std::pair(instance.id, instance.mesh)) {
             ++before;
         }
-        if (scene.material(instance).alpha_mode == AlphaMode::blend) {
-            continue;
-        }
         InstanceArea now{instance.id,
                          instance.mesh,
                          instance.version,

@@ -44,8 +44,8 @@ void PictureSurfaces::find(const render::FrameInputs& inputs, const PhotonScene&
             const vec3 origin = camera.orthographic ? point.position - away : camera.position;
             reference::SurfaceHit hit;
             for (const float off : kOff) {
-                if (scene.surfaces().intersect(origin, away, 1 - off, 1 + off, reference::Blended::ignored,
-                                               hit, reference::Sides::seen)) {
+                if (scene.surfaces().intersect(origin, away, 1 - off, 1 + off, reference::Blended::solid, hit,
+                                               reference::Sides::seen)) {
                     pixels[i].side = surfaces.side(hit.instance, hit.primitive, hit.front);
                     pixels[i].position = hit.position;  // where photons are
                     break;

@@ -46,7 +46,8 @@ std::vector<double> kept_by_group(const PhotonSources& sources, const VertexMapS
                            : settings.total;
     const auto whole = sources.paths(static_cast<std::uint64_t>(period));
     const auto rest = sources.paths(static_cast<std::uint64_t>(settings.total % period));
-    const auto times = static_cast<double>(settings.total / period);
+    const int turns = settings.total / period;
+    const auto times = static_cast<double>(turns);
     for (std::size_t g = 0; g < whole.size(); ++g) {
         kept.push_back(static_cast<double>(whole[g]) * times + static_cast<double>(rest[g]));
     }

@@ -84,7 +84,10 @@ ivec3 SurfaceTriangles::cell_of(const vec3& p) const {
 }
 
 std::size_t SurfaceTriangles::index_of(const ivec3& cell) const {
-    return static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
+    return (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(cells_.y) +
+            static_cast<std::size_t>(cell.y)) *
+               static_cast<std::size_t>(cells_.x) +
+           static_cast<std::size_t>(cell.x);
 }
 
 void SurfaceTriangles::add(const SurfaceTriangle& t, const vec3& point, const vec3& normal, bool both_sides,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/scene/alpha_coverage.h"
 #include "gi_module/shared/photons/copies.h"
 
 namespace lanthorn::gi {
@@ -58,8 +59,9 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
     shape_of_.assign(scene.instances.size(), -1);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        if (scene.material(instance).alpha_mode == AlphaMode::blend) {
-            continue;
+        const Material& material = scene.material(instance);
+        if (material.alpha_mode == AlphaMode::blend && material.base_colour.a < kSolidAlpha) {
+            continue;  // no camera sees it solid
         }
         // Both are in the order of instances.
         const SurfaceKey key = surface_key(instance.id, instance.mesh);

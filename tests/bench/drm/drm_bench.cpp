@@ -80,6 +80,7 @@ const ImageF& truth(const ErrorRow& row) {
         const RenderJob job = job_of(row.camera);
         Settings settings = settings_of("");
         settings.set<int>("gi.bounces", row.bounces);
+        settings.set<bool>("gi.gather.endless", false);  // path counts bounces then, whatever the number
         at->second =
             path_trace_scene(scene_of(row.scene, job), settings, job, "", [](double) {}).images.front();
     }

@@ -8,15 +8,16 @@
 
 namespace lanthorn::gi::test {
 
-Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp) {
+Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp, reference::PathAov what) {
     Truth truth;
     reference::PathSettings settings;
     settings.spp = spp / 2;
     settings.bounces = bounces;
     for (std::vector<float>& half : truth.halves) {
-        reference::PathTracer tracer(scene, size, settings, {.indirect = true});
+        reference::PathTracer tracer(scene, size, settings,
+                                     {.indirect = true, .radiance = what == reference::PathAov::radiance});
         tracer.render({});
-        half = tracer.image(reference::PathAov::indirect);
+        half = tracer.image(what);
         ++settings.seed;
     }
     return truth;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lanthorn/reference/path_tracer.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -14,7 +15,8 @@ struct Truth {
 };
 
 // `spp` samples a pixel, both halves together.
-Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp);
+Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp,
+                  reference::PathAov what = reference::PathAov::indirect);  // or radiance
 
 // Fails the test at a pixel that is not finite.
 Deviation against(const ImageF& image, const Truth& truth);

@@ -21,9 +21,9 @@ class TradeMemory : public testing::Test {
 
     std::string trace(const std::string& name, const std::string& aov) const {
         std::string file = folder_.path(name);
-        const ChildOutcome outcome =
-            run_child({LANTHORN_BINARY, "render", kScene, "-o", file, "--technique", "path", "--aov", aov,
-                       "--size", "48x48", "--spp", "256", "--seed", "7001"});
+        const ChildOutcome outcome = run_child({LANTHORN_BINARY, "render", kScene, "-o", file, "--technique",
+                                                "path", "--aov", aov, "--size", "48x48", "--spp", "256",
+                                                "--seed", "7001", "--set", "path.transport=diffuse"});
         EXPECT_TRUE(outcome.ok()) << outcome.why();
         return file;
     }

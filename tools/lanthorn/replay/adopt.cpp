@@ -127,7 +127,7 @@ class Adoption {
         if (!fs::is_directory(options_.suite)) {
             throw InputError(options_.suite, "", "not there, expected the folder of a suite's recordings");
         }
-        const fs::path out = fs::path(options_.suite) / (name + ".rec");
+        fs::path out = fs::path(options_.suite) / (name + ".rec");
         if (fs::exists(out)) {
             throw InputError(out.string(), "", "is there already, expected --name of one that is not");
         }

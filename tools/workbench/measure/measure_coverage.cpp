@@ -89,7 +89,7 @@ class Reach {
     bool seen_from(const SurfacePoint& p, const vec3& centre) const {
         const vec3 span = centre - p.off;
         return glm::dot(span, p.hit.normal) > 0 &&
-               !surfaces_.scene.occluded(p.off, span, false, Blended::ignored);
+               !surfaces_.scene.occluded(p.off, span, false, Blended::by_chance);
     }
 
   private:
@@ -141,7 +141,7 @@ class Reach {
             const LightSample sample = PunctualLights::illuminance(light, p);
             const vec3 span = sample.infinite ? sample.to_light : light.position - p;
             if (!is_black(sample.illuminance) && glm::dot(sample.to_light, normal) > 0 &&
-                !surfaces_.scene.occluded(p, span, sample.infinite, Blended::ignored)) {
+                !surfaces_.scene.occluded(p, span, sample.infinite, Blended::by_chance)) {
                 return true;
             }
         }
@@ -152,7 +152,7 @@ class Reach {
             const float facing = -glm::dot(sample.normal, span);
             const vec3 end = span + sample.normal * (facing < 0 ? -sample.offset : sample.offset);
             if ((sample.two_sided || facing > 0) && glm::dot(span, normal) > 0 &&
-                !surfaces_.scene.occluded(p, end, false, Blended::ignored)) {
+                !surfaces_.scene.occluded(p, end, false, Blended::by_chance)) {
                 return true;
             }
         }

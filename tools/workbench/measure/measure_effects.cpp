@@ -43,7 +43,7 @@ FirstSurfaces what_is_shown(const FrameScene& frame, ivec2 size) {
                 rays.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
             reference::SurfaceHit hit;
             if (!surfaces.scene.intersect(ray.origin, ray.direction, ray.nearest, ray.farthest,
-                                          reference::Blended::ignored, hit, reference::Sides::seen)) {
+                                          reference::Blended::solid, hit, reference::Sides::seen)) {
                 result.shows.push_back(Shows::nothing);
                 result.receives.emplace_back();
                 continue;

@@ -13,11 +13,11 @@ std::optional<PhotonArrival> ExactSurfaces::arrival(const vec3& origin, const ve
     PhotonArrival result;
     const float nearest = 1e-4f * scene.frame().diagonal();
     if (!scene.intersect(origin, direction, nearest, std::numeric_limits<float>::infinity(),
-                         reference::Blended::ignored, result.hit)) {
+                         reference::Blended::solid, result.hit)) {
         return std::nullopt;
     }
     if (!receives(result.hit.instance, result.hit.front)) {
-        scene.prefer_front(origin, direction, reference::Blended::ignored, result.hit);
+        scene.prefer_front(origin, direction, reference::Blended::solid, result.hit);
     }
     result.receives = receives(result.hit.instance, result.hit.front);
     return result;

@@ -68,7 +68,7 @@ void CausticMaps::follow(const render::LightInputs& inputs, const EnvironmentMap
         for (int face = 0; face < 6; ++face) {
             all_.clear(6 * slot + face);
         }
-        for (const std::uint32_t i : inputs.gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
+        for (const std::uint32_t i : inputs.gpu_scene.instances(render::DrawSet::all)) {
             for (int face = 0; face < 6 && targets.of_instance[i] == glass[g]; ++face) {
                 list.add(i, 0, centre, 6 * slot + face);
             }

@@ -204,7 +204,7 @@ std::vector<CentrePool::Reached> CentrePool::reach(const vec3& eye, int count) c
         const float d = glm::distance(eye, centres_[i]);
         nearest = d < glm::distance(eye, centres_[static_cast<std::size_t>(nearest)]) ? static_cast<int>(i)
                                                                                       : nearest;
-        if (space_.in_sight(eye, centres_[i], space_.side())) {
+        if (space_.eye_sees(eye, centres_[i], space_.side())) {
             go(static_cast<int>(i), d);
         }
     }

@@ -35,8 +35,8 @@ class CentrePool {
         float distance = 0;  // m, from centre to centre through free space
     };
     // The `count` nearest to `eye`, as far as a way leads there; nearest first. Of many that see each other
-    // only a few. From an eye that sees none of them: from the one that is nearest. O(centres + count *
-    // neighbours).
+    // only a few. From an eye that sees none of them: from the one that is nearest. The eye sees no backs of
+    // single-sided triangles, as a camera does. O(centres + count * neighbours).
     std::vector<Reached> reach(const vec3& eye, int count) const;
 
     // Things have moved: they are in nobody's way from now on (FreeSpace::leave_out). Whether there are more
@@ -48,6 +48,9 @@ class CentrePool {
 
     bool in_sight(const vec3& a, const vec3& b, float slack = 0) const {
         return space_.in_sight(a, b, slack);
+    }
+    bool eye_sees(const vec3& eye, const vec3& p, float slack) const {
+        return space_.eye_sees(eye, p, slack);
     }
     float cell() const { return space_.side(); }  // m
 

@@ -19,6 +19,26 @@ bool takes_space(const FrameScene& scene, const Instance& instance) {
            material.transmission < 0.5f;
 }
 
+// The octants of directions, a bit each (1 for +x, 2 for +y, 4 for +z), some of which run against `normal`;
+// all of them for triangles with two fronts.
+std::uint8_t octants_against(const vec3& normal, bool double_sided) {
+    constexpr float kFlat = 1e-4f;  // of its length: rounding of a normal along an axis
+    std::uint8_t result = 0;
+    for (int octant = 0; octant < 8; ++octant) {
+        bool against = double_sided;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float sign = (octant >> axis & 1) != 0 ? 1.0f : -1.0f;
+            against = against || sign * normal[axis] < -kFlat * glm::length(normal);
+        }
+        result |= static_cast<std::uint8_t>(against ? 1 << octant : 0);
+    }
+    return result;
+}
+
+int octant_of(const vec3& direction) {
+    return (direction.x >= 0 ? 1 : 0) | (direction.y >= 0 ? 2 : 0) | (direction.z >= 0 ? 4 : 0);
+}
+
 // A triangle against cells: its plane, its box, and its edges seen along each axis (Schwarz and Seidel 2010).
 struct CellTest {
     CellTest(const vec3& a, const vec3& b, const vec3& c, float side) {
@@ -71,15 +91,18 @@ FreeSpace::FreeSpace(const FrameScene& scene, const Aabb& bounds) {
     side_ = std::max(side_, std::max({size.x, size.y, size.z}) / 1024);
     cells_ = glm::max(ivec3(glm::ceil(size / side_)), ivec3(1));
     taken_.assign(index(cells_ - 1) + 1, 0);
+    fronts_.assign(taken_.size(), 0);
     for (const Instance& instance : scene.instances) {
         if (takes_space(scene, instance)) {
             placed_[key(instance)] = instance.transform;
-            fill(InstanceShape(scene, instance), instance.transform, 1);
+            fill(InstanceShape(scene, instance), instance.transform, scene.material(instance).double_sided,
+                 1);
         }
     }
 }
 
-void FreeSpace::fill(const InstanceShape& shape, const mat4& transform, int change) {
+void FreeSpace::fill(const InstanceShape& shape, const mat4& transform, bool double_sided, int change) {
+    const float winding = glm::determinant(mat3(transform)) < 0 ? -1.0f : 1.0f;
     std::vector<vec3> points(shape.vertex_count());
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i] = vec3(transform * vec4(shape.position(i), 1));
@@ -88,6 +111,7 @@ void FreeSpace::fill(const InstanceShape& shape, const mat4& transform, int chan
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const vec3 &a = points[indices[i]], &b = points[indices[i + 1]], &c = points[indices[i + 2]];
         const CellTest test(a, b, c, side_);
+        const std::uint8_t fronts = octants_against(winding * test.normal, double_sided);
         const ivec3 first = glm::max(cell_of(glm::min(a, glm::min(b, c))), ivec3(0));
         const ivec3 last = glm::min(cell_of(glm::max(a, glm::max(b, c))), cells_ - 1);
         for (int z = first.z; z <= last.z; ++z) {
@@ -96,6 +120,8 @@ void FreeSpace::fill(const InstanceShape& shape, const mat4& transform, int chan
                     if (test.touches(middle({x, y, z}))) {
                         std::uint16_t& taken = taken_[index({x, y, z})];
                         taken = static_cast<std::uint16_t>(std::clamp(taken + change, 0, 0xffff));
+                        std::uint8_t& cell_fronts = fronts_[index({x, y, z})];
+                        cell_fronts = taken == 0 ? 0 : static_cast<std::uint8_t>(cell_fronts | fronts);
                     }
                 }
             }
@@ -103,17 +129,27 @@ void FreeSpace::fill(const InstanceShape& shape, const mat4& transform, int chan
     }
 }
 
-bool FreeSpace::in_sight(const vec3& a, const vec3& b, float slack) const {
+template <typename Blocks>
+bool FreeSpace::way_is_free(const vec3& a, const vec3& b, float slack, const Blocks& blocks) const {
     const float length = glm::distance(a, b);
     const int steps = std::max(1, static_cast<int>(std::ceil(2 * length / side_)));
     for (int i = 0; i <= steps; ++i) {
         const float at = length * static_cast<float>(i) / static_cast<float>(steps);
-        if (at >= slack && at <= length - slack &&
-            !free(cell_of(glm::mix(a, b, static_cast<float>(i) / static_cast<float>(steps))))) {
+        const ivec3 cell = cell_of(glm::mix(a, b, static_cast<float>(i) / static_cast<float>(steps)));
+        if (at >= slack && at <= length - slack && !free(cell) && blocks(index(cell))) {
             return false;
         }
     }
     return true;
+}
+
+bool FreeSpace::in_sight(const vec3& a, const vec3& b, float slack) const {
+    return way_is_free(a, b, slack, [](std::size_t) { return true; });
+}
+
+bool FreeSpace::eye_sees(const vec3& eye, const vec3& p, float slack) const {
+    const int octant = octant_of(p - eye);
+    return way_is_free(eye, p, slack, [&](std::size_t cell) { return (fronts_[cell] >> octant & 1) != 0; });
 }
 
 bool FreeSpace::leave_out(const FrameScene& scene, std::span<const std::uint32_t> moved) {
@@ -122,7 +158,8 @@ bool FreeSpace::leave_out(const FrameScene& scene, std::span<const std::uint32_t
         const Instance& instance = scene.instances[i];
         const auto stood = placed_.find(key(instance));
         if (stood != placed_.end()) {
-            fill(InstanceShape(scene.mesh(instance)), stood->second, -1);
+            fill(InstanceShape(scene.mesh(instance)), stood->second, scene.material(instance).double_sided,
+                 -1);
             placed_.erase(stood);
             any = true;
         }

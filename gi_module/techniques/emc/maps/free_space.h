@@ -30,6 +30,10 @@ class FreeSpace {
 
     // Whether the way from a to b is free, but for `slack` metres about each end. O(distance / side).
     bool in_sight(const vec3& a, const vec3& b, float slack = 0) const;
+    // The same for a camera at `eye`, which sees no backs of single-sided triangles: the eye may be inside a
+    // closed thing, or look into a house through its wall. Conservative for triangles that face an axis of
+    // the way hardly.
+    bool eye_sees(const vec3& eye, const vec3& p, float slack = 0) const;
 
     // What moves takes no space from now on: doors are ways. Whether any of these (indices into
     // scene.instances) took some. O(their cells).
@@ -48,12 +52,15 @@ class FreeSpace {
     }
 
   private:
-    void fill(const InstanceShape& shape, const mat4& transform, int change);
+    void fill(const InstanceShape& shape, const mat4& transform, bool double_sided, int change);
+    template <typename Blocks>
+    bool way_is_free(const vec3& a, const vec3& b, float slack, const Blocks& blocks) const;
 
     vec3 lower_{0};
     float side_ = 1;
     ivec3 cells_{0};
-    std::vector<std::uint16_t> taken_;                // triangles that touch the cell
+    std::vector<std::uint16_t> taken_;  // triangles that touch the cell
+    std::vector<std::uint8_t> fronts_;  // by cell, a bit an octant of directions: some may meet a front
     std::unordered_map<std::uint64_t, mat4> placed_;  // by id and mesh: what takes space, and where it stood
 };
 

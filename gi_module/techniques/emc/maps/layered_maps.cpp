@@ -46,7 +46,7 @@ void LayeredMaps::restore(int slot, const CubeMaps& still) {
     for (int face = 0; face < 6; ++face) {
         still_.copy(6 * slot + face, still, face);
         // As if movers had been there: `maps_` is to show it.
-        faces_[static_cast<std::size_t>(6 * slot + face)] = {true, true};
+        faces_[6 * static_cast<std::size_t>(slot) + static_cast<std::size_t>(face)] = {true, true};
     }
 }
 
@@ -86,8 +86,7 @@ std::vector<LayeredMaps::Drawing> LayeredMaps::drawings(const render::GpuScene& 
                                                         const std::vector<Work>& work) const {
     std::vector<Drawing> result;
     std::vector<std::pair<std::uint32_t, const Work*>> seen_at;  // level
-    // Blended surfaces take no part: light passes them as if they were not there.
-    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
+    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::all)) {
         const bool moving = motion.moving(i);
         seen_at.clear();
         for (const Work& w : work) {
@@ -139,7 +138,7 @@ LayerList LayeredMaps::seen_alone(const FrameScene& scene, const render::GpuScen
         }
     }
     LayerList list;
-    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
+    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::all)) {
         const std::span<const std::uint32_t> indices = InstanceShape(scene, scene.instances[i]).indices();
         for (const Run& run : runs[i]) {
             list.begin_some(i, work_of[run.face]->centre, work_of[run.face]->layer);

@@ -53,7 +53,7 @@ bool NearCentres::follow(const FrameScene& scene, bool carried, int count) {
 
 bool NearCentres::sees_one_of(const std::vector<vec3>& maps) const {
     return std::ranges::any_of(maps,
-                               [&](const vec3& map) { return pool_.in_sight(camera_, map, pool_.cell()); });
+                               [&](const vec3& map) { return pool_.eye_sees(camera_, map, pool_.cell()); });
 }
 
 bool NearCentres::lost(const std::vector<vec3>& maps) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lanthorn::gi {
 
@@ -68,10 +69,8 @@ std::vector<vec3> trial_centres(const UnseenSurvey& survey, float diagonal, int 
 
 Reservation reservation(const UnseenSurvey& survey, const std::vector<std::vector<bool>>& seen, int in_use,
                         int most) {
-    std::vector<int> now;
-    for (int c = 0; c < in_use; ++c) {
-        now.push_back(c);
-    }
+    std::vector<int> now(static_cast<std::size_t>(in_use));
+    std::iota(now.begin(), now.end(), 0);
     const double before = shown(survey, seen, now);
     const double least = kLeastShare * survey.rays;
     Reservation result;

@@ -19,9 +19,9 @@ namespace lanthorn::render {
 
 class SceneTextures;
 
-// Which instances, by their material's alpha mode: all, those that hide what is behind them, or those that
-// are blended.
-enum class DrawSet { all, opaque_and_mask, blend };
+// Which instances, by their material's alpha mode: all, those that may hide what is behind them (also parts
+// of what is blended), or those that are blended.
+enum class DrawSet { all, solid, blend };
 
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
 enum class Culling { by_material, none };
@@ -154,6 +154,7 @@ class GpuScene {
         std::uint64_t version = 0;  // 0: nothing is in the slot
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
+        bool solid_parts = true;  // what is blended may have some: alpha_coverage.h
         MaterialVariant variant = 0;
         float emissive = 0;  // nits, largest channel
     };

@@ -13,8 +13,8 @@ namespace lanthorn::reference {
 // What light does at a surface.
 //   diffuse  Lambert reflection of what the material reflects of even light (diffuse_reflectance.h), about
 //   the
-//            triangle's own normal: exactly the indirect light that `emc` estimates. See-through (blended)
-//            surfaces take no part in it.
+//            triangle's own normal: exactly the indirect light that `emc` estimates. Blended surfaces are met
+//            with the chance of their alpha, always in the same places (alpha_coverage.h).
 //   full     everything the material says: GGX, transmission, alpha; volumes of glass and water bend light
 //   and
 //            absorb it (dielectric.h).
