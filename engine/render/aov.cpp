@@ -56,7 +56,7 @@ ImageF FrameRenderer::read(Aov aov) const {
     const GBuffer& gbuffer = targets_->gbuffer;
     switch (aov) {
         case Aov::final:
-            return read_back(targets_->composite.final(), 3);
+            return read_back(final(), 3);
         case Aov::radiance:
             return read_back(targets_->composite.radiance(), 3);
         case Aov::direct:

@@ -20,4 +20,21 @@ CameraUniforms CameraUniforms::from(const CameraView& view, float aspect) {
     return u;
 }
 
+CameraUniforms CameraUniforms::shifted(vec2 pixels, ivec2 size) const {
+    CameraUniforms u = *this;
+    const vec2 by = 2.0f * pixels / vec2(size);  // of half the picture
+    const vec3 aside = by.x * right + by.y * up;
+    u.shift += pixels;
+    if (orthographic) {
+        u.position += aside;
+        return u;
+    }
+    u.forward += aside;
+    for (int column = 0; column < 4; ++column) {
+        u.clip_from_relative[column].x -= by.x * clip_from_relative[column].w;
+        u.clip_from_relative[column].y -= by.y * clip_from_relative[column].w;
+    }
+    return u;
+}
+
 }  // namespace lanthorn::render

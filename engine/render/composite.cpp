@@ -62,12 +62,17 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu
     program.set("tone_map", static_cast<int>(settings.tone_map));
     radiance_.bind(0);
     draw_fullscreen(program, final_framebuffer_, size_);
-    if (settings.antialias) {
+    smoothed_ = settings.antialias;
+    if (smoothed_) {
         if (!fxaa_) {
             fxaa_ = std::make_unique<Fxaa>(size_);
         }
         fxaa_->smooth(final_);
     }
+}
+
+const gpu::Texture& Composite::unsmoothed() const {
+    return smoothed_ ? fxaa_->source() : final_;
 }
 
 void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,

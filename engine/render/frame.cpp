@@ -1,6 +1,7 @@
 #include "lanthorn/render/frame.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "engine/render/frame_targets.h"
@@ -14,17 +15,37 @@ FrameRenderer::FrameRenderer(std::shared_ptr<SceneRenderer> shared) : shared_(st
 
 FrameRenderer::~FrameRenderer() = default;
 
-void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer) {
-    resize(size);
+void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer, ivec2 whole) {
+    resize(size, whole);
+    shared_->keep_before(upscales());
     shared_->update(scene, timer);
 }
 
-void FrameRenderer::resize(ivec2 size) {
+void FrameRenderer::resize(ivec2 size, ivec2 whole) {
     cut_ = !targets_ || targets_->gbuffer.size() != size;
     if (cut_) {
         targets_ = std::make_unique<Targets>(size);
     }
     indirect_ = {};
+    std::unique_ptr<Upscaler>& upscaler = targets_->upscaler;
+    const bool more =
+        settings.upscale != Upscale::none && whole != size && whole.x >= size.x && whole.y >= size.y;
+    if (!more) {
+        upscaler.reset();
+    } else if (!upscaler || upscaler->size() != whole) {
+        upscaler = std::make_unique<Upscaler>(size, whole);
+        upscaled_ = 0;
+    }
+}
+
+void FrameRenderer::restart() {
+    if (targets_ && targets_->upscaler) {
+        targets_->upscaler->restart();
+    }
+}
+
+bool FrameRenderer::upscales() const {
+    return targets_ && targets_->upscaler && settings.upscale == Upscale::temporal;
 }
 
 void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer) {
@@ -35,7 +56,12 @@ void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& tim
 void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "gbuffer");
     shared_->draw_for(settings);
+    if (upscales()) {
+        const vec2 drawn = vec2(size()) / vec2(targets_->upscaler->size());
+        shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(drawn.x * drawn.y));
+    }
     targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
+    shared_->gpu_scene_.set_texture_bias(0);
 }
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
@@ -72,7 +98,28 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
                            {settings.air_scattering, settings.air_steps, scene.diagonal()},
                            composite.radiance_framebuffer());
     }
-    composite.display(settings, cut_, &timer);
+    RenderSettings shown = settings;
+    shown.antialias = settings.antialias || upscales();
+    composite.display(shown, cut_, &timer);
+}
+
+void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {
+    if (!targets_->upscaler) {
+        return;
+    }
+    const gpu::PassTimer::Scope pass(timer, "upscale");
+    CameraUniforms through = through_middles(scene);
+    // A picture that indirect light brings as a whole looks through the middles.
+    const bool whole = indirect_.radiance != nullptr;
+    CameraUniforms looked = camera(scene);
+    looked.shift = whole ? vec2(0) : looked.shift;
+    const bool still = scene.changes.nothing() && looked_ == scene.camera;
+    targets_->upscaler->add(
+        {targets_->composite.unsmoothed(), targets_->composite.final(), targets_->gbuffer,
+         shared_->gpu_scene_, looked, through, still, scene.changes.replaced, scene.origin},
+        settings);
+    looked_ = scene.camera;
+    ++upscaled_;
 }
 
 void FrameRenderer::draw_lines(const FrameScene& scene, std::span<const Line> some,
@@ -97,6 +144,11 @@ FrameInputs FrameRenderer::inputs(const FrameScene& scene, gpu::PassTimer& timer
 }
 
 CameraUniforms FrameRenderer::camera(const FrameScene& scene) const {
+    const CameraUniforms through = through_middles(scene);
+    return upscales() ? through.shifted(targets_->upscaler->shift(upscaled_), size()) : through;
+}
+
+CameraUniforms FrameRenderer::through_middles(const FrameScene& scene) const {
     return CameraUniforms::from(scene.camera, static_cast<float>(size().x) / static_cast<float>(size().y));
 }
 
@@ -104,16 +156,25 @@ ivec2 FrameRenderer::size() const {
     return targets_ ? targets_->gbuffer.size() : ivec2(0);
 }
 
+ivec2 FrameRenderer::final_size() const {
+    return targets_ && targets_->upscaler ? targets_->upscaler->size() : size();
+}
+
 const gpu::Texture& FrameRenderer::final() const {
-    return targets_->composite.final();
+    return targets_->upscaler ? targets_->upscaler->whole() : targets_->composite.final();
+}
+
+const gpu::Texture& FrameRenderer::upscaled_history() const {
+    return targets_->upscaler->history();
 }
 
 void FrameRenderer::present(GLuint framebuffer, ivec2 size, ivec2 corner) const {
-    const ivec2 from = targets_->gbuffer.size();
+    const ivec2 from = final_size();
     const ivec2 to = corner + size;
-    glBlitNamedFramebuffer(targets_->composite.final_framebuffer().id(), framebuffer, 0, 0, from.x, from.y,
-                           corner.x, corner.y, to.x, to.y, GL_COLOR_BUFFER_BIT,
-                           from == size ? GL_NEAREST : GL_LINEAR);
+    const gpu::Framebuffer& shown =
+        targets_->upscaler ? targets_->upscaler->framebuffer() : targets_->composite.final_framebuffer();
+    glBlitNamedFramebuffer(shown.id(), framebuffer, 0, 0, from.x, from.y, corner.x, corner.y, to.x, to.y,
+                           GL_COLOR_BUFFER_BIT, from == size ? GL_NEAREST : GL_LINEAR);
 }
 
 std::uint32_t FrameRenderer::nan_count() const {

@@ -5,6 +5,7 @@
 
 #include "engine/render/air.h"
 #include "engine/render/direct.h"
+#include "engine/render/upscaler.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/render/composite.h"
 #include "lanthorn/render/frame.h"
@@ -22,7 +23,8 @@ struct FrameRenderer::Targets {
     DirectLight direct;
     std::unique_ptr<AirLight> air;  // once asked for
     Composite composite;
-    gpu::Framebuffer display;  // the composite's final picture, with the G-buffer's depth
+    std::unique_ptr<Upscaler> upscaler;  // where fewer pixels are drawn than are shown
+    gpu::Framebuffer display;            // the composite's final picture, with the G-buffer's depth
 };
 
 }  // namespace lanthorn::render

@@ -17,6 +17,9 @@ class Fxaa {
     // on an edge.
     void smooth(const gpu::Texture& picture);
 
+    // The last picture, as it came.
+    const gpu::Texture& source() const { return source_; }
+
   private:
     ivec2 size_;
     gpu::Texture source_;  // the picture as it came

@@ -100,8 +100,17 @@ bool same(const InstanceData& a, const InstanceData& b) {
 GpuScene::GpuScene() = default;
 GpuScene::~GpuScene() = default;
 
+void GpuScene::keep_before(bool keep) {
+    keeps_before_ = keep;
+    geometry_.keep_before(keep);
+    if (!keep) {
+        placed_.clear();
+    }
+}
+
 void GpuScene::update(const FrameScene& scene) {
     uploaded_ = {};
+    movers_.clear();
     const bool other_assets = scene.assets->serial != serial_;
     if (other_assets) {
         follow_assets(*scene.assets);
@@ -114,7 +123,38 @@ void GpuScene::update(const FrameScene& scene) {
         uploaded_.geometry = geometry_.uploaded_bytes();
         upload_instances(scene);
         list_instances();
+        if (keeps_before_) {
+            list_movers(scene);
+        }
     }
+}
+
+// Both lists are sorted by id and mesh.
+void GpuScene::list_movers(const FrameScene& scene) {
+    const std::vector<Placed> before = std::exchange(placed_, {});
+    placed_.reserve(scene.instances.size());
+    auto old = before.begin();
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
+        placed_.push_back({instance.id, instance.mesh, instance.transform});
+        const std::pair key(instance.id, instance.mesh);
+        while (old != before.end() && std::pair(old->id, old->mesh) < key) {
+            ++old;
+        }
+        if (old == before.end() || std::pair(old->id, old->mesh) != key) {
+            continue;
+        }
+        if (geometry_.bent(i) || old->transform != instance.transform) {
+            movers_.push_back({i, geometry_.bent(i), old->transform});
+        }
+    }
+}
+
+void GpuScene::draw_before(const gpu::Program& program, std::span<const DrawnInstance> instances,
+                           bool bent) const {
+    geometry_.bind_before(bent);
+    draw_tagged(program, instances);
+    geometry_.unbind_before();
 }
 
 GpuScene::MaterialState GpuScene::state_of(const Material& m, std::uint64_t version) {
@@ -221,6 +261,12 @@ void GpuScene::list_instances() {
         }
         triangles_ += geometry_.range(i).index_count / 3;
         max_emissive_ = std::max(max_emissive_, material.emissive);
+    }
+}
+
+void GpuScene::set_texture_bias(float levels) const {
+    if (textures_) {
+        textures_->set_bias(levels);
     }
 }
 

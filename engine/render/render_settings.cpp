@@ -120,6 +120,27 @@ void declare_render_settings(SettingsSchema& schema) {
             "Edges in the finished picture are smoothed (FXAA); lamplighter does so unless told otherwise. "
             "The "
             "path tracer's counterpart is path.antialias.");
+    schema.declare<Upscale>("render.upscale")
+        .choices({"none", "spatial", "temporal"})
+        .initially(d.upscale)
+        .cost("none: none; else linear in the picture's pixels, not in those that are drawn")
+        .docs(
+            "Where fewer pixels are drawn than the picture has (render.upscale.scale, a window's frame "
+            "budget): spatial finds the others along the edges of the frame; temporal also from the frames "
+            "before, which look through other places of each pixel, and smooths edges in place of "
+            "render.antialias. The windows of lamplighter and the editor have temporal.");
+    schema.declare<float>("render.upscale.scale")
+        .range(0.1f, 1.0f)
+        .initially(d.upscale_scale)
+        .cost("quadratic in ms")
+        .docs(
+            "Share of the picture's width and height that is drawn where render.upscale is not none; a "
+            "window's frame budget takes its share of that.");
+    schema.declare<float>("render.upscale.sharpness")
+        .range(0.0f, 1.0f)
+        .initially(d.upscale_sharpness)
+        .cost("none")
+        .docs("How much contrast between neighbours is raised after up-scaling; 0: not at all.");
     schema.declare<bool>("render.adaptive_detail")
         .initially(d.adaptive_detail)
         .cost("false: up to 4 times the triangles a level, refined each time a cage moves")
@@ -145,6 +166,9 @@ RenderSettings render_settings(const Settings& s) {
     r.air_steps = s.get<int>("render.air.steps");
     r.tone_map = s.get<ToneMap>("render.tone_map");
     r.antialias = s.get<bool>("render.antialias");
+    r.upscale = s.get<Upscale>("render.upscale");
+    r.upscale_scale = s.get<float>("render.upscale.scale");
+    r.upscale_sharpness = s.get<float>("render.upscale.sharpness");
     r.adaptive_detail = s.get<bool>("render.adaptive_detail");
     return r;
 }

@@ -16,6 +16,7 @@ struct VertexConstants {
     vec2 uv0, uv1;
     vec4 colour;
 };
+constexpr GLuint kBeforeBuffer = 3, kBeforeLocation = 8;  // of the vertex array
 static_assert(sizeof(VertexFrame) == 40 && sizeof(VertexConstants) == 32);
 
 // A buffer of `elements`, each of `size` bytes, that begins with what `before` holds.
@@ -82,6 +83,10 @@ void SceneGeometry::update(const FrameScene& scene) {
         indices += list.indices.size();
     }
     reserve(vertices, indices);
+    if (keeps_before_ && before_.bytes() < frames_.bytes()) {
+        before_ = gpu::Buffer(frames_.bytes());
+    }
+    bent_.assign(scene.instances.size(), false);
 
     for (Wanted& list : wanted) {
         const std::size_t first = take_indices(list.indices.size());
@@ -113,6 +118,12 @@ void SceneGeometry::update(const FrameScene& scene) {
             upload(deformed->block, shape);
         } else if (deforms && deformed->version != instance.version) {
             const std::span<const VertexFrame> frames(*scene.deformed[instance.deformed].vertices);
+            if (keeps_before_) {
+                const auto first = static_cast<GLintptr>(deformed->block.first * sizeof(VertexFrame));
+                glCopyNamedBufferSubData(frames_.id(), before_.id(), first, first,
+                                         static_cast<GLsizeiptr>(frames.size_bytes()));
+                bent_[i] = true;
+            }
             frames_.write(deformed->block.first * sizeof(VertexFrame), frames);
             uploaded_bytes_ += frames.size_bytes();
         }
@@ -262,6 +273,9 @@ void SceneGeometry::grow(std::size_t vertices, std::size_t indices) {
     if (more_vertices) {
         frames_ = grown(frames_, vertices, sizeof(VertexFrame));
         constants_ = grown(constants_, vertices, sizeof(VertexConstants));
+        if (keeps_before_) {
+            before_ = grown(before_, vertices, sizeof(VertexFrame));
+        }
         vertices_.grow(vertices);
     }
     if (more_indices) {
@@ -328,7 +342,20 @@ void SceneGeometry::make_vertex_array() {
     }
     glVertexArrayVertexBuffer(vertex_array_, 0, frames_.id(), 0, sizeof(VertexFrame));
     glVertexArrayVertexBuffer(vertex_array_, 1, constants_.id(), 0, sizeof(VertexConstants));
+    glVertexArrayAttribFormat(vertex_array_, kBeforeLocation, 3, GL_FLOAT, GL_FALSE,
+                              offsetof(VertexFrame, position));
+    glVertexArrayAttribBinding(vertex_array_, kBeforeLocation, kBeforeBuffer);
     glVertexArrayElementBuffer(vertex_array_, indices_.id());
+}
+
+void SceneGeometry::bind_before(bool bent) const {
+    glVertexArrayVertexBuffer(vertex_array_, kBeforeBuffer, (bent ? before_ : frames_).id(), 0,
+                              sizeof(VertexFrame));
+    glEnableVertexArrayAttrib(vertex_array_, kBeforeLocation);
+}
+
+void SceneGeometry::unbind_before() const {
+    glDisableVertexArrayAttrib(vertex_array_, kBeforeLocation);
 }
 
 }  // namespace lanthorn::render

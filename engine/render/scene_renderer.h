@@ -26,6 +26,8 @@ class SceneRenderer {
     // area lights and detail), each drawn once. Sets that none of `views` uses are dropped.
     void draw_light_maps(const FrameScene& scene, std::span<FrameRenderer* const> views,
                          gpu::PassTimer& timer);
+    // Whether the next update() lists what moved (GpuScene::movers()).
+    void keep_before(bool keep) { gpu_scene_.keep_before(keep); }
     int light_map_sets() const { return static_cast<int>(sets_.size()); }
 
   private:

@@ -143,6 +143,18 @@ SceneTextures::~SceneTextures() {
     }
 }
 
+void SceneTextures::set_bias(float levels) {
+    if (levels == bias_) {
+        return;
+    }
+    bias_ = levels;
+    for (const KeptSampler& sampler : samplers_) {
+        if (sampler.id != 0) {
+            glSamplerParameterf(sampler.id, GL_TEXTURE_LOD_BIAS, levels);
+        }
+    }
+}
+
 void SceneTextures::bind(std::uint32_t material) const {
     const Binding& binding = materials_[material];
     glBindTextures(0, static_cast<GLsizei>(kMaterialTextures), binding.textures.data());

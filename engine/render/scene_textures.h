@@ -28,6 +28,8 @@ class SceneTextures {
     // Of pixels, by the last follow().
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
+    // What is added to the levels of mipmaps that are read from here on. O(textures) where it is another.
+    void set_bias(float levels);
     void bind(std::uint32_t material) const;  // units 0..7; a white texture where the material has none
     static void unbind();                     // the samplers of those units
 
@@ -53,6 +55,7 @@ class SceneTextures {
     std::vector<KeptSampler> samplers_;                          // by slot of textures
     std::vector<Binding> materials_;                             // by slot
     std::size_t uploaded_bytes_ = 0;
+    float bias_ = 0;
 };
 
 }  // namespace lanthorn::render

@@ -65,6 +65,10 @@ void gather_detail(const ecs::World& world, const FrameScene& before, const Rend
 
 // What differs from the frame before goes to the GPU.
 void upload(Res<FrameScene> scene, ResMut<Renderer> renderer) {
+    renderer->shared->keep_before(std::ranges::any_of(renderer->views, [](const auto& view) {
+        return view->frame->settings.upscale == render::Upscale::temporal &&
+               view->frame->final_size() != view->frame->size();
+    }));
     renderer->shared->update(*scene, *renderer->timer);
     ++renderer->frames;
 }
@@ -102,6 +106,11 @@ void draw_lines(Res<render::Lines> everywhere, Res<View> first, Res<Views> other
         const View& shown = view->id == ViewId::first ? *first : *others->find(view->id);
         view->frame->draw_lines(*view->scene, everywhere->lines, shown.lines.lines, *renderer->timer);
     }
+}
+
+void upscale(Res<Renderer> renderer) {
+    for_each_view(*renderer,
+                  [&](const DrawnView& view) { view.frame->upscale(*view.scene, *renderer->timer); });
 }
 
 }  // namespace
@@ -176,6 +185,11 @@ void RenderPlugin::build(App& app) {
         .on_main_thread();
     frame.add("lines", draw_lines)
         .after("composite")
+        .reads_resource<render::GBuffer>()
+        .writes_resource<render::Composite>()
+        .on_main_thread();
+    frame.add("upscale", upscale)
+        .after("lines")
         .reads_resource<render::GBuffer>()
         .writes_resource<render::Composite>()
         .on_main_thread();

@@ -63,7 +63,10 @@ void start(DrawnView& drawn, ViewId id, const View& view, const render::RenderSe
     drawn.id = id;
     drawn.name = described_view(id, view);
     drawn.frame->settings = view.settings.value_or(settings);
-    drawn.frame->resize(view.size);
+    const render::RenderSettings& chosen = drawn.frame->settings;
+    const ivec2 whole = view.whole == ivec2(0) ? view.size : view.whole;
+    const float scale = chosen.upscale == render::Upscale::none ? 1 : chosen.upscale_scale;
+    drawn.frame->resize(glm::max(ivec2(glm::round(scale * vec2(view.size))), 1), whole);
 }
 
 }  // namespace
@@ -85,6 +88,9 @@ void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& re
         drawn->frame = renderer.frame;
         start(*drawn, ViewId::first, first, settings);
         drawn->restarted = !goes_on && renderer.frames > 0;
+        if (drawn->restarted) {
+            drawn->frame->restart();
+        }
         drawn->scene = &scene;
         if (drawn->restarted) {
             see(*drawn, scene, scene.camera, false);
@@ -106,6 +112,9 @@ void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& re
         }
         start(*drawn, id, view, settings);
         drawn->restarted = known && !goes_on;
+        if (drawn->restarted) {
+            drawn->frame->restart();
+        }
         see(*drawn, scene, look_of(world, view, scene.origin).value_or(frame_all(scene)), goes_on);
         renderer.views.push_back(std::move(drawn));
     }

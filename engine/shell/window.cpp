@@ -159,6 +159,7 @@ void Window::draw(App& app, double seconds, int most_steps) {
         s.follow(spending);
     }
     app.view().size = picture_size();
+    app.view().whole = whole_size();
     app.world().resource_mut<PresentTarget>().size = framebuffer_size();
     app.frame(seconds, most_steps);
     s.moved_on = seconds > 0;
@@ -206,6 +207,11 @@ void Window::set_picture_size(ivec2 size) {
 }
 
 ivec2 Window::picture_size() const {
+    const double scale = state_->budget.spending().scale;
+    return glm::max(ivec2(glm::round(scale * glm::dvec2(whole_size()))), kSmallest);
+}
+
+ivec2 Window::whole_size() const {
     const State& s = *state_;
     ivec2 whole = glm::max(framebuffer_size(), kSmallest);
     if (s.picture != ivec2(0)) {
@@ -214,7 +220,7 @@ ivec2 Window::picture_size() const {
     } else if (s.context.info().software) {
         whole = fitted(whole, usual_picture_size(true));
     }
-    return glm::max(ivec2(glm::round(s.budget.spending().scale * glm::dvec2(whole))), kSmallest);
+    return glm::max(whole, kSmallest);
 }
 
 void Window::set_playing(bool playing) {

@@ -1,5 +1,5 @@
-// What opens between a bright place and a dark one, at any speed: the picture in motion has the light of the same
-// pose at rest. And lamps that flash.
+// What opens between a bright place and a dark one, at any speed: the picture in motion has the light of the
+// same pose at rest. And lamps that flash.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr ivec2 kSize(64);
 constexpr int kSpp = 256, kRest = 18, kMost = 30;
-constexpr int kBounces = 8;  // of the reference; 0.5^8 of the light is left
+constexpr int kBounces = 8;                       // of the reference; 0.5^8 of the light is left
 constexpr float kStep = 1 / 60.0f, kOpen = 0.8f;  // s; radians or metres where it is looked at
-constexpr double kFlux = 0.03;   // of the flux at rest
-// Of a frame's that remembers nothing. Wanted is 1.3 of the error at rest; measured are 1.7 to 2.5 of that, of
-// which most is noise of 4 rays (16 have 1.6 to 1.9).
+constexpr double kFlux = 0.03;                    // of the flux at rest
+// Of a frame's that remembers nothing. Wanted is 1.3 of the error at rest; measured are 1.7 to 2.5 of that,
+// of which most is noise of 4 rays (16 have 1.6 to 1.9).
 constexpr double kError = 1.45;
 
 // Opens by `kOpen` from where it is shut.
@@ -58,11 +58,12 @@ Leaf hatch() {
 // Two halves of 4 x 3 x 4 m; the lamp is in the one that the camera does not see but for the opening.
 FrameScene rooms(const Leaf& leaf, float opened) {
     FrameScene scene =
-        scene_of({box(vec3(-4, 0, -2), vec3(4, 3, 2), true, 0), box(vec3(-0.1f, 0, -2), vec3(0.1f, 3, -0.5f), false, 0),
+        scene_of({box(vec3(-4, 0, -2), vec3(4, 3, 2), true, 0),
+                  box(vec3(-0.1f, 0, -2), vec3(0.1f, 3, -0.5f), false, 0),
                   box(vec3(-0.1f, 0, 0.5f), vec3(0.1f, 3, 2), false, 0),
                   box(vec3(-0.1f, 2.2f, -0.5f), vec3(0.1f, 3, 0.5f), false, 0), leaf.mesh},
-                 {lambertian(vec3(0.5f)), lambertian(vec3(0.6f, 0.3f, 0.2f))}, {point_light(vec3(-2, 2, 0.6f), 500)},
-                 vec3(3.7f, 1.6f, 1.5f), vec3(0, 1.2f, -0.3f));
+                 {lambertian(vec3(0.5f)), lambertian(vec3(0.6f, 0.3f, 0.2f))},
+                 {point_light(vec3(-2, 2, 0.6f), 500)}, vec3(3.7f, 1.6f, 1.5f), vec3(0, 1.2f, -0.3f));
     const SceneChanges changes = scene.changes;
     move_instance(scene, 4, leaf.at(opened));
     scene.changes = changes;
@@ -112,9 +113,11 @@ TEST_P(Doors, LightAsAtRestWhileTheyMove) {
         bench.frame(scene, kSize);
     }
     const Deviation moving = against(bench.renderer().read(render::Aov::radiance), truth);
-    std::printf("%s, %.1f a second, %d steps: flux %.3f (at rest %.3f), relRMSE %.3f (at rest %.3f, in its first frame %.3f)\n",
-                leaf.name, static_cast<double>(speed), steps, moving.mean, rest.mean, moving.rel_rmse, rest.rel_rmse,
-                fresh.rel_rmse);
+    std::printf(
+        "%s, %.1f a second, %d steps: flux %.3f (at rest %.3f), relRMSE %.3f (at rest %.3f, in its first "
+        "frame %.3f)\n",
+        leaf.name, static_cast<double>(speed), steps, moving.mean, rest.mean, moving.rel_rmse, rest.rel_rmse,
+        fresh.rel_rmse);
     EXPECT_NEAR(moving.mean, rest.mean, kFlux * rest.mean);
     EXPECT_LT(moving.rel_rmse, kError * fresh.rel_rmse);
 }

@@ -56,6 +56,10 @@ void run_everything(const TemporaryFolder& dump) {
     const std::string cornell = support::repository_file("assets/cornell.glb");
     const std::string ball = support::repository_file("assets/glass-ball.glb");
     const std::string puppet = support::repository_file("assets/puppet.glb");
+    for (const std::string& scene : {puppet, cornell}) {
+        render(scene,
+               {"--frames", "3", "--set", "render.upscale=temporal", "--set", "render.upscale.scale=0.5"});
+    }
     for (const char* rays : {"maps", "bvh"}) {
         render(puppet, {"--frames", "8", "--set", std::string("gi.emc.rays=") + rays});
         render(ball, {"--frames", "2", "--set", std::string("gi.emc.rays=") + rays});

@@ -72,6 +72,7 @@ FrameHashes editor_frames(EditSession& session, const Settings& settings, const 
     }
     make_cold(app);
     app.view().size = what.size;
+    app.view().whole = ivec2(0);
     app.view().camera = session.eye();
     for (int i = 0; i < what.frames; ++i) {
         app.show();

@@ -60,6 +60,7 @@ void EditorWindow::State::begin() {
     const std::string preset =
         options.preset.empty() ? shell::usual_preset(window.info().software) : options.preset;
     settings.apply_preset(preset);
+    settings.set_from_text("render.upscale", "temporal");  // while a hand drags and fewer pixels are drawn
     if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
     }

@@ -175,17 +175,21 @@ void Picture::show_other(App& app, Target& target) {
                         bytes.data());
 }
 
-double Picture::draw(App& app, ivec2 size, const std::function<void()>& breathe) {
+double Picture::draw(App& app, ivec2 size, ivec2 whole, const std::function<void()>& breathe) {
     using clock = std::chrono::steady_clock;
     const auto ms_since = [](clock::time_point from) {
         return std::chrono::duration<double, std::milli>(clock::now() - from).count();
     };
-    fit(next_, size);
     ecs::World& world = app.world();
+    if (world.resource<render::RenderSettings>().upscale == render::Upscale::none) {
+        whole = size;
+    }
+    fit(next_, whole);
     world.resource_mut<View>().size = size;
+    world.resource_mut<View>().whole = whole;
     PresentTarget& target = world.resource_mut<PresentTarget>();
     target.framebuffer = next_.framebuffer.id();
-    target.size = size;
+    target.size = whole;
     const auto begun = clock::now();
     auto breath = begun;
     double longest = 0, elsewhere = 0;

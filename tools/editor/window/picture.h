@@ -28,11 +28,12 @@ class Picture {
   public:
     static constexpr int kSame = 2;
 
-    // One frame of the App as it stands, of `size` pixels. `breathe` is called between passes, while the
+    // One frame of the App as it stands, of `size` pixels, from which render.upscale makes a picture of
+    // `whole`, if it is on. `breathe` is called between passes, while the
     // picture before is still what texture() shows. Returns the share of pixels that differ from the
     // frame before by more than kSame of 255; 1 where that had another size. Throws what the frame throws;
     // the picture before stays then.
-    double draw(App& app, ivec2 size, const std::function<void()>& breathe);
+    double draw(App& app, ivec2 size, ivec2 whole, const std::function<void()>& breathe);
     // Which picture is shown of the frames that follow: "final", "indirect", "direct", "albedo", "normals",
     // "depth", "lux", or a debug view of the technique at work. A view that a frame has not is black.
     void set_view(const std::string& view) { view_ = view; }

@@ -189,7 +189,8 @@ void EditorWindow::State::draw_picture() {
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
     const double shows_hand = std::exchange(hand_at, 0);
     try {
-        const double changed = e.picture.draw(session.app(), size, [this] { breathe(); });
+        const double changed = e.picture.draw(session.app(), size, glm::max(ivec2(glm::round(whole)), 16),
+                                              [this] { breathe(); });
         PictureFacts& facts = e.picture.facts();
         facts.changed = changed;
         facts.quality = quality;

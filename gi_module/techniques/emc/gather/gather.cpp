@@ -100,7 +100,9 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         gathered = &filter(*gathered);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
-    if (work.points) {
+    // A picture that looks through other places of its pixels in each frame (render.upscale) keeps its
+    // points.
+    if (work.points || inputs.camera.shift != vec2(0)) {
         upsampling_.place(points_, links_.walls(), grid_, stride_);
     }
     const gpu::Texture& picture = upsampling_.irradiance(inputs, *gathered);

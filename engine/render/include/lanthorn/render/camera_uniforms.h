@@ -15,9 +15,14 @@ struct CameraUniforms {
     vec3 forward{0, 0, -1};  // unit
     bool orthographic = false;
     mat4 clip_from_relative{1};  // (point - position) in render space to clip space, reversed depth
+    // Pixels: how far off its middle each pixel's ray passes (shifted()).
+    vec2 shift{0};
 
     // Of a picture of `aspect` = width / height.
     static CameraUniforms from(const CameraView& view, float aspect);
+    // The same, looking through each pixel of a picture of `size` at `pixels` from its middle: `forward` of a
+    // perspective camera, no longer quite unit, and the position of an orthographic one say so, too.
+    CameraUniforms shifted(vec2 pixels, ivec2 size) const;
     // What the camera sees, in render space.
     Frustum frustum() const { return Frustum::of_clip(clip_from_relative, position); }
     // Sets camera_position, camera_right, camera_up, camera_forward, camera_orthographic and

@@ -48,6 +48,7 @@ class Composite {
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
+    const gpu::Texture& unsmoothed() const;                     // the same before edges were smoothed
     // Draws into radiance().
     const gpu::Framebuffer& radiance_framebuffer() const { return radiance_framebuffer_; }
     const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }  // draws into final()
@@ -70,6 +71,7 @@ class Composite {
     gpu::ProgramVariants display_{{"engine/render/fullscreen.vert", "engine/render/display.frag"}};
     std::unique_ptr<Bloom> bloom_;  // these once asked for
     std::unique_ptr<Fxaa> fxaa_;
+    bool smoothed_ = false;  // by the last display()
 };
 
 }  // namespace lanthorn::render

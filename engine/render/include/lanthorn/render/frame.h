@@ -3,7 +3,9 @@
 // them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "lanthorn/core/image.h"
@@ -86,10 +88,12 @@ class FrameRenderer {
 
     // The passes of a frame of `size` pixels, to be called in this order; indirect light is made from
     // inputs() after draw_gbuffer(). Each is timed under the name in brackets. The first frame, and the first
-    // after a change of size, takes its exposure at once.
-    void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer);  // [upload] what differs
-    void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);    // [light_maps]
-    void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);       // [gbuffer]
+    // after a change of size, takes its exposure at once. `whole`: of the picture that upscale() makes of it;
+    // 0, or fewer pixels: none, as where settings say so.
+    void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer,
+               ivec2 whole = ivec2(0));                                    // [upload] what differs
+    void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);  // [light_maps]
+    void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);     // [gbuffer]
     void draw_direct(const FrameScene& scene, const TracedLobes& traced,
                      gpu::PassTimer& timer);  // [direct]; nothing where compose() will be given it
     void compose(const FrameScene& scene, const IndirectLight& indirect,
@@ -99,8 +103,13 @@ class FrameRenderer {
     void draw_lines(const FrameScene& scene, std::span<const Line> some, std::span<const Line> more,
                     gpu::PassTimer& timer);
 
+    // After the lines: the whole picture, of more pixels than are drawn, if there is one. [upscale]
+    void upscale(const FrameScene& scene, gpu::PassTimer& timer);
+
     // begin() without what is shared.
-    void resize(ivec2 size);
+    void resize(ivec2 size, ivec2 whole = ivec2(0));
+    // What the next frame shows has nothing to do with what the last one did, however alike it looks.
+    void restart();
 
     // Valid until the next begin(); light_inputs() once the light maps are drawn, inputs() once the G-buffer
     // is.
@@ -108,10 +117,14 @@ class FrameRenderer {
     // What techniques of indirect light are made from: light_inputs(), the G-buffer and the camera.
     FrameInputs inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
 
-    ivec2 size() const;  // 0 before the first frame
+    ivec2 size() const;        // drawn pixels; 0 before the first frame
+    ivec2 final_size() const;  // pixels of final()
 
     // Of the last frame; at least one must have been rendered. Reading back waits for the GPU.
-    const gpu::Texture& final() const;  // RGBA8, sRGB-encoded, rows upwards
+    const gpu::Texture& final()
+        const;  // RGBA8, sRGB-encoded, rows upwards; the whole picture, if there is one
+    // RGBA16F, what the next upscale() starts from; there must be a whole picture.
+    const gpu::Texture& upscaled_history() const;
     // Copies final() into a framebuffer (0: the window), to the rectangle of `size` pixels whose lower left
     // corner is at `corner`.
     void present(GLuint framebuffer, ivec2 size, ivec2 corner = ivec2(0)) const;
@@ -130,10 +143,14 @@ class FrameRenderer {
     std::shared_ptr<SceneRenderer> shared_;
     std::shared_ptr<LightMaps> light_maps_;  // of shared_, for these settings; null before they are drawn
     std::unique_ptr<Targets> targets_;
-    bool cut_ = true;  // the first frame of its size
+    bool cut_ = true;                   // the first frame of its size
+    std::uint64_t upscaled_ = 0;        // frames since upscale() had its sizes
+    std::optional<CameraView> looked_;  // by the last upscale()
     IndirectLight indirect_;
 
     CameraUniforms camera(const FrameScene& scene) const;
+    CameraUniforms through_middles(const FrameScene& scene) const;
+    bool upscales() const;
 };
 
 }  // namespace lanthorn::render

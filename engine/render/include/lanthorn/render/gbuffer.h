@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lanthorn/gpu/framebuffer.h"
@@ -19,6 +20,8 @@ class GBuffer {
     // Draws the opaque and masked instances that the camera sees, far figures by coarser triangles
     // (GpuScene::picture_level()).
     void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
+    // Those that the last draw drew, in its order.
+    std::span<const DrawnInstance> drawn() const { return drawn_; }
     int instances_drawn() const { return static_cast<int>(visible_.size()); }  // by the last draw
 
     ivec2 size() const { return size_; }  // pixels

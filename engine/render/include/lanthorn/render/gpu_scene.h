@@ -46,6 +46,13 @@ struct DrawnInstance {
 
 class GpuScene {
   public:
+    // What stands or is shaped otherwise than before the last update, and was there then.
+    struct Mover {
+        std::uint32_t instance = 0;  // index into FrameScene::instances
+        bool bent = false;           // its vertices differ as well (draw_before())
+        mat4 before{1};              // its transform then
+    };
+
     // Texels that a coarser shape may be off by.
     static constexpr float kTexelsOff = 0.75f;
     // Pixels of the picture that one may be off by, and that its edges may be long.
@@ -61,6 +68,14 @@ class GpuScene {
     // were added, moved or deformed. On the CPU O(instances) when geometry changed, O(assets) more when
     // assets did, O(1) otherwise.
     void update(const FrameScene& scene);
+
+    // Whether updates list movers(): O(instances) and a copy of bent vertices, when geometry changes.
+    void keep_before(bool keep);
+    // By the last update, in order of instances; none where nothing is kept.
+    std::span<const Mover> movers() const { return movers_; }
+    // As draw_tagged(), with attribute 8: where a vertex was before the last update, in the space that
+    // Mover::before takes to render space. All of `instances` are bent, or none is.
+    void draw_before(const gpu::Program& program, std::span<const DrawnInstance> instances, bool bent) const;
 
     // Bytes, by the last update.
     struct Uploaded {
@@ -94,6 +109,10 @@ class GpuScene {
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
     bool uses_levels() const { return levels_used_; }  // as use_levels() has been told
+
+    // What is added to the levels of mipmaps that draws read from here on: negative where the picture will
+    // have more pixels than are drawn.
+    void set_texture_bias(float levels) const;
 
     // The same as draw(), at levels. Tagged: attribute 6 and 7 of scene_vertex.glsl are the instance and its
     // first layer, from a buffer of this call's.
@@ -141,6 +160,11 @@ class GpuScene {
     };
     static MaterialState state_of(const Material& material, std::uint64_t version);
 
+    struct Placed {
+        std::uint32_t id = 0, mesh = 0;
+        mat4 transform{1};
+    };
+
     // `drawn(k)`: the k-th; `program_of`: from MaterialVariant to const gpu::Program&.
     template <class DrawnOf, class ProgramOf>
     void draw_list(std::size_t count, bool tagged, Culling culling, const DrawnOf& drawn,
@@ -151,6 +175,7 @@ class GpuScene {
     void follow_assets(const SceneAssets& assets);
     void upload_materials(const AssetTable<Material>& materials);
     void upload_instances(const FrameScene& scene);
+    void list_movers(const FrameScene& scene);
     void list_instances();
 
     std::uint64_t serial_ = 0;
@@ -160,7 +185,10 @@ class GpuScene {
     std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
-    std::vector<Aabb> bounds_;             // by instance
+    std::vector<Aabb> bounds_;  // by instance
+    bool keeps_before_ = false;
+    std::vector<Placed> placed_;  // by instance, where they are kept
+    std::vector<Mover> movers_;
     std::vector<bool> deforms_;            // by instance
     std::vector<std::uint32_t> lists_[3];  // by DrawSet
     gpu::Buffer material_buffer_;

@@ -12,6 +12,9 @@ namespace lanthorn::render {
 enum class ExposureMode { automatic, manual };
 // From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.
 enum class ToneMap { aces, neutral, none };
+// How a picture of which fewer pixels are drawn than it has gets the others: by the window that scales it,
+// from its own frame along edges, or from the frames before as well.
+enum class Upscale { none, spatial, temporal };
 
 struct RenderSettings {
     int shadow_resolution = 512;       // texels a side of a punctual light's map; render.shadow.resolution
@@ -24,12 +27,15 @@ struct RenderSettings {
     float exposure_darkest = 0.001f;                       // nits, automatic mode; render.exposure.darkest
     float exposure_glide = 0.05f;                          // share of the way a frame; render.exposure.glide
     ToneMap tone_map = ToneMap::aces;                      // render.tone_map
-    float bloom_share = 0;        // of light that is scattered around in the picture; render.bloom.share
-    float bloom_spread = 0.75f;   // of it that goes on to each wider ring; render.bloom.spread
-    float air_scattering = 0;     // 1/m; render.air.scattering
-    int air_steps = 8;            // places a ray and light; render.air.steps
-    bool antialias = false;       // render.antialias
-    bool adaptive_detail = true;  // of subdivision surfaces; render.adaptive_detail
+    float bloom_share = 0;            // of light that is scattered around in the picture; render.bloom.share
+    float bloom_spread = 0.75f;       // of it that goes on to each wider ring; render.bloom.spread
+    float air_scattering = 0;         // 1/m; render.air.scattering
+    int air_steps = 8;                // places a ray and light; render.air.steps
+    bool antialias = false;           // render.antialias
+    Upscale upscale = Upscale::none;  // render.upscale
+    float upscale_scale = 1;          // drawn share of the picture's width and height; render.upscale.scale
+    float upscale_sharpness = 0.5f;   // 0..1; render.upscale.sharpness
+    bool adaptive_detail = true;      // of subdivision surfaces; render.adaptive_detail
 
     bool operator==(const RenderSettings&) const = default;
 };

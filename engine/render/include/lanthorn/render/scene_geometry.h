@@ -49,6 +49,14 @@ class SceneGeometry {
     // Of vertices and indices, by the last update.
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
+    // Whether the next updates keep what vertices were before, for bent(): 40 bytes a vertex.
+    void keep_before(bool keep) { keeps_before_ = keep; }
+    // The last update wrote other vertices for it, of the same triangles.
+    bool bent(std::size_t instance) const { return bent_[instance]; }
+    // Attribute 8 is the position before the last update, of what is bent, or the same as attribute 0.
+    void bind_before(bool bent) const;
+    void unbind_before() const;
+
     // Of FrameScene::instances[instance] in the last update.
     const Range& range(std::size_t instance) const { return ranges_[instance]; }
     // The same one's, finer ones first; only of what deforms, or has the mesh of something that has moved.
@@ -122,7 +130,10 @@ class SceneGeometry {
     std::vector<const std::vector<Level>*> levels_;
     RangeAllocator vertices_, index_places_;
     std::size_t uploaded_bytes_ = 0;
+    bool keeps_before_ = false;
+    std::vector<bool> bent_;
     gpu::Buffer frames_;     // VertexFrame: what deformation moves
+    gpu::Buffer before_;     // the same of what is bent, as it was
     gpu::Buffer constants_;  // texture coordinates and colour
     gpu::Buffer indices_;
     GLuint vertex_array_ = 0;

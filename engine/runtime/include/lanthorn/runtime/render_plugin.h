@@ -69,7 +69,7 @@ void for_each_view(const Renderer& renderer, const Pass& pass) {
 // a current OpenGL context, which outlives the App: declare it first.
 //
 //   frame:  (transforms) -> detail -> (skinning ... extract) -> views -> upload -> light_maps -> (gi.update)
-//           -> gbuffer -> direct -> (gi.indirect) -> composite -> lines
+//           -> gbuffer -> direct -> (gi.indirect) -> composite -> lines -> upscale
 //
 // `views` finds who looks, and gives each view its FrameScene: the App's for the first, a copy with another
 // camera for others (O(instances) a view). upload and light_maps run once, what follows once a view. A camera

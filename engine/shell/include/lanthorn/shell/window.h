@@ -100,6 +100,8 @@ class Window {
     // scaled. 0: the window's own, on a CPU no more than usual_picture_size().
     void set_picture_size(ivec2 size);
     ivec2 picture_size() const;  // as it is drawn, pixels; at least 16 by 16
+    // The same where the budget allows all: what render.upscale makes of fewer pixels.
+    ivec2 whole_size() const;
 
     // Whether the devices reach the steps; while they do not the mouse is free. From the next frame on.
     void set_playing(bool playing);
