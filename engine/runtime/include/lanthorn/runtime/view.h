@@ -26,8 +26,6 @@ enum class ViewId : std::uint32_t { first = 0 };
 // of the distance between them (0.06 mm at 1 km, 6 mm at 100 km), however far away other views are.
 struct View {
     ivec2 size{512, 512};  // pixels; one of them 0 or less: the view is not drawn
-    // Pixels of the picture that render.upscale makes of it; 0: as many as `size`.
-    ivec2 whole{0};
     // With a CameraComponent and a WorldTransform; null: a camera that sees everything.
     ecs::Entity camera = ecs::kNullEntity;
     // Instead of the entity: in the render space of the FrameScene before (FrameScene::origin).
@@ -41,6 +39,8 @@ struct View {
     std::optional<render::RenderSettings> settings = {};
     // Over its picture, with those of the resource render::Lines.
     render::Lines lines = {};
+    // Pixels of the picture that render.upscale makes of it; 0: as many as `size`.
+    ivec2 whole{0};
 
     bool is_drawn() const { return size.x > 0 && size.y > 0; }  // has a size of 1 by 1 or more
 };
