@@ -27,8 +27,14 @@ set(LANTHORN_LONG_gpu_lit_photons
 set(LANTHORN_LONG_gpu_specular Rays/Specular.AMetalFloorUnderAnEvenSkyReflectsItsShare/maps Rays/Specular.AMirrorShowsWhatACameraBehindItSees/maps)
 # A second scene.
 set(LANTHORN_LONG_gpu_presets Scenes/Presets.ErrFallsAsWorkRises/two_rooms)
-# Four levels of six: red-wall and mirrors stay.
-set(LANTHORN_LONG_gpu_editor Levels/Pictures.*/Level1 Levels/Pictures.*/Level2 Levels/Pictures.*/Level3 Levels/Pictures.*/Level4)
+# With indirect light, whose noise is judged as well, and a second level: rest, walk and pan stay.
+set(LANTHORN_LONG_gpu_upscaled
+    Scenes/Upscaled.*/poolrest Scenes/Upscaled.*/redwalllitrest Scenes/Upscaled.*/furnishedwalk Scenes/Upscaled.*/tworoomsbox
+    Scenes/Upscaled.*/puppetfigure)
+# Seven levels of nine: red-wall and mirrors stay.
+set(LANTHORN_LONG_gpu_editor
+    Levels/Pictures.*/Level1 Levels/Pictures.*/Level2 Levels/Pictures.*/Level3 Levels/Pictures.*/Level4 Levels/Pictures.*/Level6
+    Levels/Pictures.*/Level7 Levels/Pictures.*/Level8)
 # Two views as one, by the other techniques in the second scene.
 set(LANTHORN_LONG_gpu_views Techniques/ViewsAlike.ShowWhatOneShows/2 Techniques/ViewsAlike.ShowWhatOneShows/4)
 # Sizes between others that stay, and by the other final stage; extremes.shipped has all of them by the default.

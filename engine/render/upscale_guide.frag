@@ -23,7 +23,7 @@ uniform sampler2D movers;
 
 const float kSameDistance = 0.01;  // of it
 const float kSameNormal = 0.8;     // cosine
-const float kSameLight = 0.2;     // standard deviations that the past may be wrong by in the mean
+const float kSameLight = 0.1;     // standard deviations that the past may be wrong by in the mean
 
 // Whether the frame before saw, at `uv` or beside, a surface of that normal so far away.
 bool was_seen(vec2 uv, float distance, float slack, vec3 normal) {

@@ -183,7 +183,7 @@ void draw_hud(const Model& model) {
     if (!model.hint.empty()) {
         plates.hint(model.say_with_keys(model.hint), lowest);
     } else if (!model.story.empty()) {
-        plates.hint(model.say(model.story), lowest);
+        plates.hint(model.say(model.story), 0);  // at the top, where it hides nothing that can be taken
     }
 }
 

@@ -65,7 +65,9 @@ TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
 INSTANTIATE_TEST_SUITE_P(Levels, Pictures,
                          testing::Values("assets/levels/red-wall.glb", "assets/levels/shutter.glb",
                                          "assets/levels/green-screen.glb", "assets/levels/two-glasses.glb",
-                                         "assets/levels/pool.glb", "assets/levels/mirrors.glb"),
+                                         "assets/levels/pool.glb", "assets/levels/mirrors.glb",
+                                         "assets/levels/burning-glass.glb", "assets/levels/lamp-bearer.glb",
+                                         "assets/levels/other-light.glb"),
                          [](const auto& info) { return "Level" + std::to_string(info.index); });
 
 // A difference is found, and named: the game does not see what is only previewed.

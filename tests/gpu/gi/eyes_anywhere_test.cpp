@@ -15,7 +15,7 @@ namespace lanthorn::gi::test {
 namespace {
 
 constexpr ivec2 kSize(64);
-constexpr int kFrames = 8, kSpp = 128;
+constexpr int kFrames = 12, kSpp = 128;
 constexpr int kBounces = 8;  // of the reference; 0.5^8 of the light is left
 constexpr double kFlux = 0.02, kError = 0.06;
 

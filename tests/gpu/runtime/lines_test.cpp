@@ -193,7 +193,7 @@ TEST(Lines, ShowBoundsLightsAndGizmos) {
     EXPECT_NE(after.pixels, before.pixels);
     std::filesystem::create_directories(LANTHORN_PICTURES);
     write_image(LANTHORN_PICTURES "/lines.png", after);
-    EXPECT_EQ(app.frame_schedule().order().back(), "lines");
+    EXPECT_EQ(app.frame_schedule().order().back(), "upscale");
 }
 
 }  // namespace

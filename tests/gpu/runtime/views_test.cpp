@@ -161,7 +161,7 @@ TEST_F(Views, ShareWhatBelongsToTheScene) {
         EXPECT_EQ(light_maps, 1);
         EXPECT_EQ(uploads, 1);
         EXPECT_EQ(gbuffers, 2);
-        EXPECT_EQ(named, 6) << "gi.plan and five passes";
+        EXPECT_EQ(named, 7) << "gi.plan and six passes";
     }
     EXPECT_EQ(&level.of(ViewId::first).light_maps(), &level.of(second).light_maps());
     EXPECT_EQ(&level.of(ViewId::first).gpu_scene(), &level.of(second).gpu_scene());

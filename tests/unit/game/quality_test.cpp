@@ -25,6 +25,7 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesDarkNightsAndAi
         rendered.apply_preset(preset);
         rendered.set("gi.seed", static_cast<int>(options.seed));
         rendered.set("render.antialias", true);
+        rendered.set_from_text("render.upscale=temporal");
         rendered.set("render.exposure.darkest", 0.1f);
         rendered.set("render.bloom.share", 0.1f);
         rendered.set("render.air.scattering", preset == "low" ? 0.0f : 0.0012f);

@@ -23,6 +23,10 @@ struct Cell {
     double variance = 0;  // of the reference's mean, by its halves
 };
 
+std::size_t cell_index(const ivec2& size, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+}
+
 struct Around {
     double off = 0, reference = 0, noise = 0;
 };
@@ -55,7 +59,7 @@ Around around(const std::vector<Cell>& cells, ivec2 size, ivec2 at) {
     double variance = 0, squares = 0, count = 0;
     for (int y = std::max(0, at.y - kNeighbours); y <= std::min(size.y - 1, at.y + kNeighbours); ++y) {
         for (int x = std::max(0, at.x - kNeighbours); x <= std::min(size.x - 1, at.x + kNeighbours); ++x) {
-            const Cell& cell = cells[static_cast<std::size_t>(y * size.x + x)];
+            const Cell& cell = cells[cell_index(size, x, y)];
             if (cell.seen) {
                 result.off += cell.off;
                 result.reference += cell.reference;
@@ -96,7 +100,7 @@ ErrorMap error_map(const reference::SparsePaths& paths, const ImageF& indirect) 
     double sum = 0;
     for (int y = 0; y < map.cells.y; ++y) {
         for (int x = 0; x < map.cells.x; ++x) {
-            const auto i = static_cast<std::size_t>(y * map.cells.x + x);
+            const std::size_t i = cell_index(map.cells, x, y);
             if (!cells[i].seen) {
                 continue;
             }
@@ -105,8 +109,7 @@ ErrorMap error_map(const reference::SparsePaths& paths, const ImageF& indirect) 
             const double error = here.off / std::sqrt(scale2);
             map.error[i] = std::abs(here.off) > kSure * here.noise ? static_cast<float>(error) : 0.0f;
             const double squared = (cells[i].off * cells[i].off - cells[i].variance) / scale2;
-            tiles[static_cast<std::size_t>(y * kTiles / map.cells.y * kTiles + x * kTiles / map.cells.x)] +=
-                squared;
+            tiles[cell_index(ivec2(kTiles), x * kTiles / map.cells.x, y * kTiles / map.cells.y)] += squared;
             sum += squared;
         }
     }

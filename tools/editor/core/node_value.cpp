@@ -30,6 +30,7 @@ using Json = nlohmann::json;
 template <class V>
 std::string numbers(const V& v) {
     std::vector<std::string> all;
+    all.reserve(static_cast<std::size_t>(v.length()));
     for (int i = 0; i < static_cast<int>(v.length()); ++i) {
         all.push_back(number(v[i]));
     }

@@ -58,6 +58,7 @@ constexpr std::array kFlags = {Flag{"double_sided", &Material::double_sided},
 
 std::string names() {
     std::vector<std::string> all;
+    all.reserve(kFactors.size() + kFlags.size());
     for (const Factor& factor : kFactors) {
         all.emplace_back(factor.name);
     }
@@ -72,6 +73,7 @@ std::string written(const float* values, int count) {
         return number(*values);
     }
     std::vector<std::string> all;
+    all.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         all.push_back(number(values[i]));
     }

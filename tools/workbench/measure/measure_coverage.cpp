@@ -168,6 +168,7 @@ class Reach {
 // `k` of the candidates, each choice as likely as another.
 std::vector<std::uint64_t> random_choice(int candidates, int k, const RandomNumbers& random) {
     std::vector<std::uint64_t> left;
+    left.reserve(static_cast<std::size_t>(candidates));
     for (int c = 0; c < candidates; ++c) {
         left.push_back(std::uint64_t{1} << c);
     }

@@ -55,7 +55,7 @@ class SceneGeometry {
     bool bent(std::size_t instance) const { return bent_[instance]; }
     // Attribute 8 is the position before the last update, of what is bent, or the same as attribute 0.
     void bind_before(bool bent) const;
-    void unbind_before() const;
+    void unbind_before() const;  // attribute 8 is off again
 
     // Of FrameScene::instances[instance] in the last update.
     const Range& range(std::size_t instance) const { return ranges_[instance]; }
