@@ -48,7 +48,7 @@ class Plates {
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         const float wrap = std::max(60.0f, std::min(size.x - 60 * u_, 680 * u_));
         const ImVec2 box = extent(words, wrap);
-        const ImVec2 low{0.5f * (size.x - box.x), std::max(lowest - box.y - 26 * u_, 14 * u_)};
+        const ImVec2 low{0.5f * (size.x - box.x), std::max(lowest - box.y - 26 * u_, 24 * u_)};
         ImDrawList& draw = *ImGui::GetBackgroundDrawList();
         draw.AddRectFilled({low.x - 22 * u_, low.y - 14 * u_},
                            {low.x + box.x + 22 * u_, low.y + box.y + 14 * u_}, night(0.8f), 10 * u_);
