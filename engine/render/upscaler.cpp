@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,20 @@ float halton(std::uint64_t i, std::uint64_t base) {
 void copy(const gpu::Texture& from, const gpu::Texture& to) {
     glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
                        from.size().x, from.size().y, 1);
+}
+
+struct Input {
+    const char* name;
+    const gpu::Texture* texture;
+};
+
+// To texture units from 0 on.
+void bind(const gpu::Program& program, std::span<const Input> inputs) {
+    GLuint unit = 0;
+    for (const Input& input : inputs) {
+        input.texture->bind(unit);
+        program.set(input.name, static_cast<int>(unit++));
+    }
 }
 
 }  // namespace
@@ -102,10 +117,6 @@ void Upscaler::guide(const Frame& frame, bool moving) {
         }
     }
     const gpu::Program& program = guide_.with(defines);
-    struct Input {
-        const char* name;
-        const gpu::Texture* texture;
-    };
     const Input inputs[] = {{"picture", &frame.picture},
                             {"gbuffer_distance", &frame.gbuffer.distance()},
                             {"gbuffer_normals", &frame.gbuffer.normals()},
@@ -113,11 +124,7 @@ void Upscaler::guide(const Frame& frame, bool moving) {
                             {"normals_before", &normals_before_},
                             {"movers", &movers_.motion()},
                             {"history", &history()}};
-    GLuint unit = 0;
-    for (const Input& input : inputs) {
-        input.texture->bind(unit);
-        program.set(input.name, static_cast<int>(unit++));
-    }
+    bind(program, inputs);
     frame.camera.set(program);
     program.set("shift", frame.camera.shift);
     program.set("shift_before", shift_before_);
@@ -136,18 +143,10 @@ void Upscaler::resolve(const Frame& frame, bool with_history, bool moving) {
         defines.emplace_back("MOVING");
     }
     const gpu::Program& program = resolve_.with(defines);
-    struct Input {
-        const char* name;
-        const gpu::Texture* texture;
-    };
     const Input inputs[] = {{"picture", &frame.picture}, {"guide_mean", &mean_},
                             {"guide_spread", &spread_},  {"guide_motion", &motion_},
                             {"history", &history()},     {"smoothed", &frame.smoothed}};
-    GLuint unit = 0;
-    for (const Input& input : inputs) {
-        input.texture->bind(unit);
-        program.set(input.name, static_cast<int>(unit++));
-    }
+    bind(program, inputs);
     program.set("shift", frame.camera.shift);
     program.set("ratio", vec2(drawn_) / vec2(whole_));
     program.set("most_known", kMostKnown);

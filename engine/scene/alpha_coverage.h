@@ -1,7 +1,7 @@
-// What is blended (alphaMode BLEND) as a screen: with the chance of its alpha it is met, and solid there. A
-// place decides instead of lots, so that rays, shadows and maps find the same screen in every frame: hashed
-// alpha testing (Wyman and McGuire 2017, section 3; here of render space, in cells that grow with the
-// coordinates). Included by C++ and by GLSL: keep to both.
+// A blended surface (alphaMode BLEND) as a screen: each place of it is solid or open, solid with the chance
+// of its alpha. A hash of the place decides, so that rays, shadows and maps find the same screen in every
+// frame: hashed alpha testing (Wyman and McGuire 2017, section 3; here of render space, in cells that grow
+// with the coordinates). Included by C++ and by GLSL: keep to both.
 #ifndef LANTHORN_ALPHA_COVERAGE_H
 #define LANTHORN_ALPHA_COVERAGE_H
 

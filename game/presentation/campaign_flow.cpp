@@ -90,13 +90,8 @@ void CampaignFlow::keep_progress() {
 }
 
 void CampaignFlow::follow(const Event& event) {
-    Screens from = screens_;
-    // After the last level comes the first that is not solved yet.
-    const bool last = from.at == Screen::finished && from.level + 1 >= from.levels;
-    if (const std::optional<int> left = next_unsolved(0); last && event.what == Happening::next && left) {
-        from.level = *left - 1;
-    }
-    const Change change = game::follow(from, event);
+    screens_.unsolved = next_unsolved(0);
+    const Change change = game::follow(screens_, event);
     screens_ = change.to;
     switch (change.effect) {
         case Effect::none:

@@ -106,7 +106,10 @@ Change on_paused(const Screens& state, const Event& event) {
 Change on_finished(const Screens& state, const Event& event) {
     switch (event.what) {
         case Happening::next:
-            return state.level + 1 < state.levels ? load(state, state.level + 1) : to(state, Screen::title);
+            if (state.level + 1 < state.levels) {
+                return load(state, state.level + 1);
+            }
+            return state.unsolved ? load(state, *state.unsolved) : to(state, Screen::title);
         case Happening::play:
         case Happening::back:
             return to(state, Screen::play);

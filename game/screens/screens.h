@@ -2,6 +2,8 @@
 // without window and game.
 #pragma once
 
+#include <optional>
+
 namespace lanthorn::game {
 
 enum class Screen { loading, title, levels, play, paused, restart, options, controls, finished, credits };
@@ -15,6 +17,8 @@ struct Screens {
     bool begun = false;           // whether there is something to go on with
     bool stayed = false;          // the level is solved and the player knows
     bool once = false;            // what is played is recorded or replayed: it cannot begin again
+    // The first level that is not solved, if any: the last one leads there.
+    std::optional<int> unsolved = std::nullopt;
 
     bool operator==(const Screens&) const = default;
 };
@@ -32,7 +36,7 @@ enum class Happening {
     title,     // to the title
     reset,     // the level in play, from its beginning: asks, and is the answer there
     solved,    // the level in play is solved
-    next,      // the level after it
+    next,      // the level after it, after the last the first that is not solved
     quit,
 };
 

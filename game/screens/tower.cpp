@@ -67,7 +67,6 @@ void draw_tower(const Model& model) {
     const bool all = solved == model.levels.size();
     tower.band(kWall + 0.03f, kRoof, kLamp, kLamp, all ? lamplight() : stone);
     for (const float x : {-kLamp, -0.3f * kLamp, 0.3f * kLamp, kLamp}) {
-        tower.band(kWall + 0.03f, kRoof, 0, 0, stone);
         const ImVec2 low = tower.at(x - 0.004f, kWall + 0.03f), high = tower.at(x + 0.004f, kRoof);
         ImGui::GetBackgroundDrawList()->AddRectFilled({low.x, high.y}, {high.x, low.y}, edge);
     }

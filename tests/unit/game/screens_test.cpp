@@ -102,6 +102,17 @@ TEST(Screens, ASolvedLevelLeadsToTheNextAndTheLastToTheTitle) {
     walk(state, {{{Happening::solved}, Screen::finished, Effect::keep}, {{Happening::next}, Screen::title}});
 }
 
+TEST(Screens, TheLastLevelLeadsToTheFirstThatIsNotSolved) {
+    Screens state{.at = Screen::finished, .level = 2, .levels = 3, .begun = true};
+    state.unsolved = 1;
+    EXPECT_EQ(walk(state, {{{Happening::next}, Screen::play, Effect::load}}).level, 1);
+    state.level = 0;
+    EXPECT_EQ(walk(state, {{{Happening::next}, Screen::play, Effect::load}}).level, 1)
+        << "the next, solved or not";
+    state.unsolved = 0;
+    EXPECT_EQ(walk(state, {{{Happening::next}, Screen::play, Effect::load}}).level, 1);
+}
+
 TEST(Screens, WhoStaysIsNotToldAgain) {
     Screens state{.at = Screen::play, .levels = 2, .begun = true};
     state = walk(state, {{{Happening::solved}, Screen::finished, Effect::keep},
