@@ -43,8 +43,10 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu
     state_.bind_storage(kStateBinding);
     expose(settings, reset_exposure);
     const bool blooms = settings.bloom_share > 0;
+    const bool compute = in_compute(settings.pixel_stage);
     const gpu::Program& program =
-        display_.with(blooms ? std::vector<std::string>{"WITH_BLOOM"} : std::vector<std::string>());
+        (compute ? compute_display_ : display_)
+            .with(blooms ? std::vector<std::string>{"WITH_BLOOM"} : std::vector<std::string>());
     if (blooms) {
         std::optional<gpu::PassTimer::Scope> pass;
         if (timer != nullptr) {
@@ -61,7 +63,11 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu
     program.set("radiance", 0);
     program.set("tone_map", static_cast<int>(settings.tone_map));
     radiance_.bind(0);
-    draw_fullscreen(program, final_framebuffer_, size_);
+    if (compute) {
+        compute_fullscreen(program, final_, size_);
+    } else {
+        draw_fullscreen(program, final_framebuffer_, size_);
+    }
     smoothed_ = settings.antialias;
     if (smoothed_) {
         if (!fxaa_) {
@@ -76,7 +82,7 @@ const gpu::Texture& Composite::unsmoothed() const {
 }
 
 void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
-                        const CameraUniforms& camera) {
+                        const CameraUniforms& camera, PixelStage stage) {
     struct Input {
         const char* name;
         const gpu::Texture* texture;
@@ -97,7 +103,8 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
             defines.emplace_back(define);
         }
     }
-    const gpu::Program& program = combine_.with(defines);
+    const bool compute = in_compute(stage);
+    const gpu::Program& program = (compute ? compute_combine_ : combine_).with(defines);
     state_.bind_storage(kStateBinding);
     GLuint unit = 0;
     for (const Input& input : inputs) {
@@ -110,7 +117,11 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
     brdf_table_.bind(program, unit++);
     camera.set(program);
     program.set("emissive_scale", gbuffer.emissive_scale());
-    draw_fullscreen(program, radiance_framebuffer_, size_);
+    if (compute) {
+        compute_fullscreen(program, radiance_, size_);
+    } else {
+        draw_fullscreen(program, radiance_framebuffer_, size_);
+    }
 }
 
 void Composite::take(const gpu::Texture& radiance) {

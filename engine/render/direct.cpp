@@ -27,14 +27,20 @@ DirectLight::DirectLight(ivec2 size)
     : size_(size),
       radiance_(gpu::Texture::make_2d(GL_RGBA32F, size)),
       framebuffer_({&radiance_}, nullptr),
-      programs_({"engine/render/fullscreen.vert", "engine/render/direct.frag"}) {}
+      programs_({"engine/render/fullscreen.vert", "engine/render/direct.frag"}),
+      compute_programs_({"engine/render/direct.comp"}) {}
 
 void DirectLight::draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
-                       float traced_roughness) {
-    const gpu::Program& program = programs_.bind(light_maps, kLightMaps);
+                       float traced_roughness, PixelStage stage) {
+    const bool compute = in_compute(stage);
+    const gpu::Program& program = (compute ? compute_programs_ : programs_).bind(light_maps, kLightMaps);
     bind_surfaces(program, gbuffer, camera);
     program.set("traced_roughness", traced_roughness);
-    draw_fullscreen(program, framebuffer_, size_);
+    if (compute) {
+        compute_fullscreen(program, radiance_, size_);
+    } else {
+        draw_fullscreen(program, framebuffer_, size_);
+    }
 }
 
 void DirectLight::take(const GBuffer& gbuffer, const gpu::Texture& irradiance, const BrdfTable& table,

@@ -1,4 +1,4 @@
-// Light that arrives straight from the light sources: one full-screen pass over the G-buffer.
+// Light that arrives straight from the light sources: one pass over the G-buffer.
 #pragma once
 
 #include "lanthorn/gpu/framebuffer.h"
@@ -9,6 +9,7 @@
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/light_maps.h"
 #include "lanthorn/render/light_programs.h"
+#include "lanthorn/render/render_settings.h"
 
 namespace lanthorn::render {
 
@@ -19,7 +20,7 @@ class DirectLight {
     // Reflected radiance of all lights, shadowed; metallic-roughness GGX (brdf.glsl). `traced_roughness`:
     // TracedLobes.
     void draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
-              float traced_roughness);
+              float traced_roughness, PixelStage stage);
     // What surfaces reflect of `irradiance` (lux, RGBA32F of the same size), which comes as if evenly: in
     // place of draw(). Reads no light maps.
     void take(const GBuffer& gbuffer, const gpu::Texture& irradiance, const BrdfTable& table,
@@ -32,7 +33,7 @@ class DirectLight {
     ivec2 size_;
     gpu::Texture radiance_;
     gpu::Framebuffer framebuffer_;
-    LightPrograms programs_;
+    LightPrograms programs_, compute_programs_;
     gpu::Program take_program_;  // once asked for
 };
 

@@ -69,7 +69,8 @@ void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& trac
     if (traced.lamps) {
         return;
     }
-    targets_->direct.draw(targets_->gbuffer, light_maps(), camera(scene), traced.roughness);
+    targets_->direct.draw(targets_->gbuffer, light_maps(), camera(scene), traced.roughness,
+                          settings.pixel_stage);
 }
 
 void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {
@@ -85,7 +86,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         }
         composite.combine(targets_->gbuffer,
                           {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
-                          shared_->sky_, camera(scene));
+                          shared_->sky_, camera(scene), settings.pixel_stage);
         shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene), indirect.irradiance,
                              composite.radiance_framebuffer(), size());
     }

@@ -141,6 +141,14 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.upscale_sharpness)
         .cost("none")
         .docs("How much contrast between neighbours is raised after up-scaling; 0: not at all.");
+    schema.declare<PixelStage>("render.pixel_stage")
+        .choices({"device", "fragment", "compute"})
+        .initially(d.pixel_stage)
+        .cost("on a GPU of a data centre, few of whose units rasterise, compute is several times faster")
+        .docs(
+            "Shaders that add up and show the light of every pixel; device: compute shaders on a GPU, "
+            "fragment "
+            "shaders on the processor.");
     schema.declare<bool>("render.adaptive_detail")
         .initially(d.adaptive_detail)
         .cost("false: up to 4 times the triangles a level, refined each time a cage moves")
@@ -169,6 +177,7 @@ RenderSettings render_settings(const Settings& s) {
     r.upscale = s.get<Upscale>("render.upscale");
     r.upscale_scale = s.get<float>("render.upscale.scale");
     r.upscale_sharpness = s.get<float>("render.upscale.sharpness");
+    r.pixel_stage = s.get<PixelStage>("render.pixel_stage");
     r.adaptive_detail = s.get<bool>("render.adaptive_detail");
     return r;
 }

@@ -60,6 +60,7 @@ void run_everything(const TemporaryFolder& dump) {
         render(scene,
                {"--frames", "3", "--set", "render.upscale=temporal", "--set", "render.upscale.scale=0.5"});
     }
+    render(ball, {"--frames", "1", "--set", "render.pixel_stage=compute"});
     for (const char* rays : {"maps", "bvh"}) {
         render(puppet, {"--frames", "8", "--set", std::string("gi.emc.rays=") + rays});
         render(ball, {"--frames", "2", "--set", std::string("gi.emc.rays=") + rays});

@@ -16,6 +16,7 @@
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/contracts_command.h"
+#include "tools/lanthorn/measure/frames_command.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 #include "tools/lanthorn/measure/photons_command.h"
@@ -211,7 +212,11 @@ Command add_measure(CLI::App& app) {
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
     const Command why = add_measure_why(*command), contracts = add_measure_contracts(*command);
-    return [options, command, motions, photons, why, contracts] {
+    const Command frames = add_measure_frames(*command);
+    return [options, command, motions, photons, why, contracts, frames] {
+        if (command->got_subcommand("frames")) {
+            return frames();
+        }
         if (command->got_subcommand("contracts")) {
             return contracts();
         }
@@ -230,7 +235,7 @@ Command add_measure(CLI::App& app) {
             }
         }
         throw InputError(
-            "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, "
+            "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, frames, "
             "photons, why or contracts");
     };
 }

@@ -62,14 +62,13 @@ class MeteredTechnique final : public gi::Technique {
     std::shared_ptr<double> cpu_;
 };
 
-// What each pass of indirect light takes itself. Of two passes the inner one ends, and stands, first.
-std::map<std::string, FrameCost::Pass> own_costs(const std::vector<gpu::PassTimer::Span>& spans) {
+// What each pass takes itself, into `cost`. Of two passes the inner one ends, and stands, first.
+void add_own_costs(const std::vector<gpu::PassTimer::Span>& spans, FrameCost& cost) {
     struct Outer {
         const gpu::PassTimer::Span* span;
         std::map<std::string, FrameCost::Pass> passes;  // it, and those within
     };
     std::vector<Outer> outer;
-    std::map<std::string, FrameCost::Pass> of_gi;
     const auto add = [](std::map<std::string, FrameCost::Pass>& to, const Outer& from) {
         for (const auto& [name, pass] : from.passes) {
             to[name].ms += pass.ms;
@@ -84,11 +83,13 @@ std::map<std::string, FrameCost::Pass> own_costs(const std::vector<gpu::PassTime
             add(now.passes, outer.back());
         }
         if (span.name == "gi") {
-            add(of_gi, now);
+            add(cost.gi_passes, now);
         }
         outer.push_back(std::move(now));
     }
-    return of_gi;
+    for (const Outer& whole : outer) {
+        add(cost.passes, whole);
+    }
 }
 
 }  // namespace
@@ -118,7 +119,7 @@ FrameCost FrameMeter::measure(const std::function<void()>& show) {
     cost.gi_cpu = *gi_cpu_;
     double passes = 0;
     const auto spans = app_->world().resource<Renderer>().timer->end_frame();
-    cost.gi_passes = own_costs(spans);
+    add_own_costs(spans, cost);
     for (const auto& span : spans) {
         cost.gi += span.name == "gi" ? span.ms : 0;
         for (const char* pass : {"upload", "gbuffer", "light_maps", "gi", "direct", "composite"}) {

@@ -51,7 +51,6 @@ void RememberedHits::build_programs(Search search) {
         const std::string slots_define = "SLOTS " + std::to_string(slots());
         list_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_list.comp"},
                              {in_picture, slots_define});
-        offsets_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_offsets.comp"});
         guide_.build_programs();
         sort_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_sort.comp"});
         order_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_order.comp"});
@@ -99,7 +98,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         cells_ = gpu::Buffer(starts() * 2 * sizeof(std::uint32_t));
         counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         counts_before_ = gpu::Buffer(counts_.bytes());
-        offsets_of_ = gpu::Buffer(keys * sizeof(std::uint32_t));
+        offsets_.resize(keys);
         guide_.resize({points.row(), points.capacity() / points.row()}, starts());
         // Until the next follow() a place that was given away stays empty.
         served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
@@ -469,17 +468,11 @@ void RememberedHits::collect(const RayScene& rays) {
 }
 
 void RememberedHits::sort() {
-    offsets_.use();
-    counts_view_.bind(0, counts_, GL_R32UI);
-    offsets_.set("counts", 0);
-    offsets_.set("capacity", capacity_);
-    offsets_of_.bind_storage(2);
-    glDispatchCompute(1, 1, 1);
-    wait_for_shaders();
+    offsets_.add_up(counts_);
     served_.fill(0xffffffffu);
     use(sort_);
     cells_view_.bind(0, cells_, GL_RG32UI);
-    offsets_view_.bind(1, offsets_of_, GL_R32UI);
+    offsets_view_.bind(1, offsets_.sums(), GL_R32UI);
     sort_.set("cells", 0);
     sort_.set("offsets", 1);
     served_.bind_storage(2);
@@ -499,7 +492,7 @@ const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu:
     shade_.set("radiosity", 0);
     if (of_ == Of::picture) {
         served_view_.bind(1, served_, GL_R32UI);
-        offsets_view_.bind(2, offsets_of_, GL_R32UI);
+        offsets_view_.bind(2, offsets_.sums(), GL_R32UI);
         counts_view_.bind(3, counts_, GL_R32UI);
         shade_.set("served", 1);
         shade_.set("offsets", 2);
@@ -522,7 +515,7 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() +
+           offsets_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() +
            there_.bytes();
 }
 

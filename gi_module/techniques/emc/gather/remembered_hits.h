@@ -8,6 +8,7 @@
 
 #include "gi_module/techniques/emc/gather/kept_rays.h"
 #include "gi_module/techniques/emc/gather/mover_programs.h"
+#include "gi_module/techniques/emc/gather/prefix_sums.h"
 #include "gi_module/techniques/emc/gather/remembered_guide.h"
 #include "gi_module/techniques/emc/gather/remembered_trace.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
@@ -109,7 +110,7 @@ class RememberedHits {
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
-    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, offsets_, sort_, order_, shade_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -117,7 +118,8 @@ class RememberedHits {
     gpu::Buffer starts_;  // vec4: a packed point
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
     // By point of the picture: how many starts serve it, and where their list begins.
-    gpu::Buffer counts_, counts_before_, offsets_of_;
+    gpu::Buffer counts_, counts_before_;
+    PrefixSums offsets_;
     gpu::Buffer served_;      // uint32: starts, point by point
     gpu::Buffer parts_;       // what carries starts along (remembered_carry.comp)
     EntryList there_;         // starts that hold rays, of the last verify()

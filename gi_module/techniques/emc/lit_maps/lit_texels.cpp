@@ -11,7 +11,7 @@ namespace lanthorn::gi {
 namespace {
 
 // Of EnvironmentMaps::extent(), that boxes are widened by against rounding.
-constexpr float kMargin = 2e-5f;
+constexpr float kTexelMargin = 2e-5f;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     if (all) {
         all_.use();
     }
-    const gpu::Program& touched = all ? all_ : touched_.use(movers.boxes(), kMargin * maps.extent(scene));
+    const gpu::Program& touched = all ? all_ : touched_.use(movers.boxes(), kTexelMargin * maps.extent(scene));
     maps.bind(touched, 0, 1, settings, scene);
     bind(touched, points_view_, 2);
     sharper_.bind_storage(6);

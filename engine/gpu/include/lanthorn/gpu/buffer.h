@@ -41,7 +41,7 @@ class Buffer {
     void write(std::size_t offset, std::span<const T> data) {
         write_bytes(offset, data.data(), data.size_bytes());
     }
-    // The same in bytes.
+    // The same in bytes. Behind fill() on a GPU it waits for that.
     void write_bytes(std::size_t offset, const void* data, std::size_t bytes);
     // Waits for the GPU. `count` elements from byte `offset`.
     template <class T>
@@ -61,9 +61,12 @@ class Buffer {
     void bind_uniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_); }
 
   private:
+    void end_fill();
+
     GLuint id_ = 0;
     std::uint64_t serial_ = 0;
     std::size_t bytes_ = 0;
+    bool filling_ = false;  // since the last fill() nothing has been written from here
 };
 
 // A buffer seen as a one-dimensional texture (samplerBuffer): software rasterisers read those several times

@@ -37,7 +37,7 @@ class Composite {
     // reflected: diffusely, and by the share of the specular lobe that `specular` does not have); where there
     // is no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
     void combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
-                 const CameraUniforms& camera);
+                 const CameraUniforms& camera, PixelStage stage = PixelStage::fragment);
     // The radiance is that of a texture of the same size and format.
     void take(const gpu::Texture& radiance);
     // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
@@ -67,8 +67,10 @@ class Composite {
     gpu::Buffer state_;  // composite_state.glsl
     BrdfTable brdf_table_;
     gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
+    gpu::ProgramVariants compute_combine_{{"engine/render/combine.comp"}};
     gpu::Program expose_;
     gpu::ProgramVariants display_{{"engine/render/fullscreen.vert", "engine/render/display.frag"}};
+    gpu::ProgramVariants compute_display_{{"engine/render/display.comp"}};
     std::unique_ptr<Bloom> bloom_;  // these once asked for
     std::unique_ptr<Fxaa> fxaa_;
     bool smoothed_ = false;  // by the last display()

@@ -15,6 +15,9 @@ enum class ToneMap { aces, neutral, none };
 // How a picture of which fewer pixels are drawn than it has gets the others: by the window that scales it,
 // from its own frame along edges, or from the frames before as well.
 enum class Upscale { none, spatial, temporal };
+// The stage that works on every pixel of a frame: by_device is compute on a GPU and fragment on the
+// processor.
+enum class PixelStage { by_device, fragment, compute };
 
 struct RenderSettings {
     int shadow_resolution = 512;       // texels a side of a punctual light's map; render.shadow.resolution
@@ -35,7 +38,8 @@ struct RenderSettings {
     Upscale upscale = Upscale::none;  // render.upscale
     float upscale_scale = 1;          // drawn share of the picture's width and height; render.upscale.scale
     float upscale_sharpness = 0.5f;   // 0..1; render.upscale.sharpness
-    bool adaptive_detail = true;      // of subdivision surfaces; render.adaptive_detail
+    PixelStage pixel_stage = PixelStage::by_device;  // render.pixel_stage
+    bool adaptive_detail = true;                     // of subdivision surfaces; render.adaptive_detail
 
     bool operator==(const RenderSettings&) const = default;
 };

@@ -21,6 +21,7 @@ struct FrameCost {
     double gi = 0, gi_cpu = 0;
     double frame = 0, frame_cpu = 0;
     std::map<std::string, Pass> gi_passes;  // what each takes itself, without those within it
+    std::map<std::string, Pass> passes;     // those of the whole frame, likewise
 
     // What the frame takes without its indirect light, by the clock.
     double direct() const { return frame - gi; }

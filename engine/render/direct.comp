@@ -1,0 +1,3 @@
+#version 450 core
+#define COMPUTE
+#include "direct_pixel.glsl"

@@ -1,0 +1,3 @@
+#version 450 core
+#define COMPUTE
+#include "display_pixel.glsl"
