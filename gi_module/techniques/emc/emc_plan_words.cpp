@@ -188,6 +188,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
                 plan.albedo, plan.bounces + 1);
         case EmcReason::every_bounce_matters:
             return "every bounce can still matter";
+        case EmcReason::rule_is_off:
+            return "a rule of the plan is off (gi.plan): it runs as if it had to";
         case EmcReason::no_specular:
             return "no specular or transmissive surface";
         case EmcReason::no_caustics_wanted:

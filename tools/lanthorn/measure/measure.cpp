@@ -1,5 +1,5 @@
-// lanthorn measure hits|coverage|flicker|energy|effects|motions|photons|why|contracts SCENE: what an image
-// cannot tell of the indirect light.
+// lanthorn measure hits|coverage|flicker|energy|effects|motions|photons|plan|why|contracts SCENE: what an
+// image cannot tell of the indirect light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -19,6 +19,7 @@
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 #include "tools/lanthorn/measure/photons_command.h"
+#include "tools/lanthorn/measure/plan_command.h"
 #include "tools/lanthorn/measure/why_command.h"
 #include "tools/workbench/scene/stopping.h"
 
@@ -211,7 +212,11 @@ Command add_measure(CLI::App& app) {
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
     const Command why = add_measure_why(*command), contracts = add_measure_contracts(*command);
-    return [options, command, motions, photons, why, contracts] {
+    const Command plan = add_measure_plan(*command);
+    return [options, command, motions, photons, plan, why, contracts] {
+        if (command->got_subcommand("plan")) {
+            return plan();
+        }
         if (command->got_subcommand("contracts")) {
             return contracts();
         }
@@ -231,7 +236,7 @@ Command add_measure(CLI::App& app) {
         }
         throw InputError(
             "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, "
-            "photons, why or contracts");
+            "photons, plan, why or contracts");
     };
 }
 
