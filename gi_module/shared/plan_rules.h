@@ -30,7 +30,7 @@ struct PlanRule {
 };
 inline constexpr std::array<PlanRule, 8> kPlanRules = {{
     {"gi.plan.bounces", &PlanRules::bounces,
-     "reflections after which less than a 500th of the light can be left, by the brightest surface"},
+     "reflections that carry less than a 500th of the light, estimated by areas, albedos and what lamps reach"},
     {"gi.plan.count", &PlanRules::count,
      "maps that would show less than a 10 000th of what the first one shows and no other does"},
     {"gi.plan.maps", &PlanRules::maps, "faces of maps in which nothing has moved"},
@@ -48,8 +48,9 @@ inline constexpr std::array<PlanRule, 8> kPlanRules = {{
 }};
 
 // useful_bounces(), unless that rule is off.
-inline int planned_bounces(const GiSettings& settings, float albedo, int limit) {
-    return settings.of<PlanRules>().bounces ? useful_bounces(albedo, limit) : limit;
+inline int planned_bounces(const GiSettings& settings, const CarriedLight& carried, int limit,
+                           int before = 0) {
+    return settings.of<PlanRules>().bounces ? useful_bounces(carried, limit, before) : limit;
 }
 
 }  // namespace lanthorn::gi

@@ -85,7 +85,7 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = planned_bounces(settings, bounds.albedo, settings.bounces);
+    plan.bounces = planned_bounces(settings, bounds.carried, settings.bounces);
 
     const auto& c = settings.of<CoarseSettings>();
     const SceneChanges& changes = scene.changes;

@@ -203,12 +203,13 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcFra
     plan.now = frame.inputs;
     plan.unlit = frame.light.unlit;
     plan.albedo = frame.light.albedo;
+    plan.carried = frame.light.carried;
     plan.lamps = frame.light.lamps;
     if (plan.unlit != Unlit::no) {
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = planned_bounces(s, plan.albedo, s.bounces);
+    plan.bounces = planned_bounces(s, frame.light.carried, s.bounces, kept.bounces);
     plan_maps(plan, scene, s, frame, kept);
     if (s.of<EmcSettings>().final_stage == EmcFinal::gather) {
         plan_gather(plan, scene, s, kept);

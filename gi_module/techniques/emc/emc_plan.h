@@ -145,10 +145,11 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
     EmcStamps::Versions now{};
 
     Unlit unlit = Unlit::no;
-    float albedo = 0;     // of the brightest surface
-    bool lamps = false;   // something else than the sky shines
-    int bounces = 0;      // that are traced
-    int lit_bounces = 0;  // reflections that light on the lit maps is worth; endless ones end at 4 here
+    float albedo = 0;        // of the brightest surface
+    CarriedLight carried{};  // by each reflection
+    bool lamps = false;      // something else than the sky shines
+    int bounces = 0;         // that are traced
+    int lit_bounces = 0;     // reflections that light on the lit maps is worth; endless ones end at 4 here
     ProgressiveUpdate::Step update;
     bool redraw_all = false;  // of the maps, whatever has moved (gi.plan.maps)
     bool round_due = false;   // of it: geometry, or what the camera reaches, has changed

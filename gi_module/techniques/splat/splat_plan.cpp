@@ -81,7 +81,7 @@ SplatPlan make_splat_plan(const FrameScene& scene, const GiSettings& settings, c
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = planned_bounces(settings, bounds.albedo, settings.bounces);
+    plan.bounces = planned_bounces(settings, bounds.carried, settings.bounces);
 
     const auto& own = settings.of<SplatSettings>();
     const SceneChanges& changes = scene.changes;

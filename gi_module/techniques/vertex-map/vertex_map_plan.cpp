@@ -111,7 +111,7 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
     }
     const auto& v = settings.of<VertexMapSettings>();
     const int most = std::min(settings.bounces, v.max_level - 1);
-    plan.bounces = most > 0 ? planned_bounces(settings, bounds.albedo, most) : 0;
+    plan.bounces = most > 0 ? planned_bounces(settings, bounds.carried, most) : 0;
     plan.levels = plan.bounces + 1;
     plan.direct = v.direct;
 

@@ -33,29 +33,33 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const EmcStamps::Versions& now = plan.now;
     const bool sensors = !scene.sensors.empty();
     const bool surfaces = kept.lit_texels.due(now);
-    const bool other_light = surfaces || kept.lit_light.due(now);
+    plan.lit_bounces =
+        e.gather_endless ? planned_bounces(s, plan.carried, kEndlessBounces, kept.lit_bounces) : plan.bounces;
+    const bool other_bounces = kept.lit_bounces != 0 && kept.lit_bounces != plan.lit_bounces;
+    const bool other_light = surfaces || other_bounces || kept.lit_light.due(now);
     const bool light = other_light || !rules.light;
     const bool view = kept.image.due(now);
     const auto differs = [&](Input input) { return kept.lit_light.differs(input, now); };
     const bool photons = e.gather_source == GatherSource::photons;
-    plan.lit_bounces = e.gather_endless ? planned_bounces(s, plan.albedo, kEndlessBounces) : plan.bounces;
     const bool indirect = plan.lit_bounces > 1 || scene.sky;
+    // Rays that served nobody for a while have not followed what moved.
+    const bool resumed = kept.lit_bounces == 1 && plan.lit_bounces > 1;
     const bool by_photons = photons && plan.lit_bounces > 1 && plan.lamps;
     const bool by_rays = indirect && (!photons || scene.sky);
     const bool new_photons = kept.lit_photons.due(now);
-    plan.texel_frames = surfaces ? 0 : kept.texel_frames;
+    plan.texel_frames = surfaces || resumed ? 0 : kept.texel_frames;
     plan.light_frames = light || new_photons ? 0 : kept.light_frames;
     const bool trace_lit = by_photons && plan.light_frames < LitPhotons::kFrames;
 
     LitWork& lit = plan.lit;
-    lit.forget = kept.lit_rays.due(now);
+    lit.forget = kept.lit_rays.due(now) || resumed;
     lit.from_dark = differs(Input::darkness);
     lit.look = surfaces;
     lit.look_all = lit.forget || kept.materials.due(now) || kept.maps.differs(Input::pattern, now);
     lit.light = light;
     // Where things alone have moved, light falls otherwise near them alone.
-    lit.light_all = differs(Input::lights) || differs(Input::emission) || differs(Input::darkness) ||
-                    !kept.maps.differs(Input::geometry, now) || !rules.light;
+    lit.light_all = other_bounces || differs(Input::lights) || differs(Input::emission) ||
+                    differs(Input::darkness) || !kept.maps.differs(Input::geometry, now) || !rules.light;
     lit.sky_apart = photons && scene.sky.has_value();
     lit.shoot = by_rays && plan.texel_frames < kFrames;
     lit.photon_bounces = !by_photons ? 0 : e.gather_endless ? plan.lit_bounces : plan.bounces - 1;
