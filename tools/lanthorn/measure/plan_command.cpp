@@ -13,6 +13,7 @@
 #include "engine/build_info/build_info.h"
 #include "engine/core/json.h"
 #include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/workbench/all_settings.h"
@@ -94,8 +95,9 @@ PlanScene over_rounds(const std::string& name,
                 return median(std::move(values));
             };
             const MotionFigures& f = first[c][m];
-            scene.cases[c].push_back(
-                {all(&MotionFigures::gi_cpu), all(&MotionFigures::direct_cpu), f.error.relrmse, f.gpu_mb});
+            scene.cases[c].push_back({all(f.software ? &MotionFigures::gi_cpu : &MotionFigures::gi),
+                                      all(f.software ? &MotionFigures::direct_cpu : &MotionFigures::direct),
+                                      f.error.relrmse, f.gpu_mb});
         }
     }
     if (scene.motions.empty()) {

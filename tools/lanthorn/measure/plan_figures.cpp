@@ -119,8 +119,8 @@ ordered_json plan_json(const PlanScene& scene) {
     for (const std::vector<PlanCost>& motions : scene.cases) {
         ordered_json list = ordered_json::array();
         for (const PlanCost& cost : motions) {
-            list.push_back({{"gi_cpu_ms", cost.gi},
-                            {"direct_cpu_ms", cost.direct},
+            list.push_back({{"gi_ms", cost.gi},
+                            {"direct_ms", cost.direct},
                             {"relrmse", cost.error},
                             {"gpu_mb", cost.gpu_mb}});
         }
@@ -165,7 +165,7 @@ PlanScene plan_from_json(const ordered_json& json, const std::string& source) {
             std::vector<PlanCost>& list = scene.cases.emplace_back();
             for (const ordered_json& cost : motions) {
                 list.push_back(
-                    {cost.at("gi_cpu_ms"), cost.at("direct_cpu_ms"), cost.at("relrmse"), cost.at("gpu_mb")});
+                    {cost.at("gi_ms"), cost.at("direct_ms"), cost.at("relrmse"), cost.at("gpu_mb")});
             }
             if (list.size() != scene.motions.size()) {
                 throw InputError(source, "", "has cases of other motions");

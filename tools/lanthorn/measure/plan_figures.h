@@ -20,7 +20,8 @@ std::vector<RuleSwitch> rule_switches();
 
 // A frame of a scene in a motion, by one case.
 struct PlanCost {
-    double gi = 0, direct = 0;  // milliseconds of processor time a frame: indirect light, and all the rest
+    double gi = 0, direct = 0;  // milliseconds a frame, indirect light and all the rest: processor
+                                // time; of a GPU by its clock
     double error = 0;           // relRMSE of the last frame's indirect light
     double gpu_mb = 0;
 };
