@@ -1,5 +1,8 @@
 #include "lanthorn/gi/gi_settings.h"
 
+#include <utility>
+
+#include "gi_module/shared/plan_rules.h"
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gi/setting_list.h"
 #include "lanthorn/gi/technique.h"
@@ -57,8 +60,17 @@ void declare_shared_settings(SettingList& list) {
             "nothing is traced, glass and smooth metal show even light.");
 }
 
+template <std::size_t... I>
+void declare_plan_rules(SettingList& list, std::index_sequence<I...> /*rules*/) {
+    (list.declare<kPlanRules[I].on>(kPlanRules[I].name)
+         .cost(std::string("false costs what is left out otherwise: ") + kPlanRules[I].leaves_out)
+         .docs("For measuring the plan (docs/plan.md). False: its passes work as if the scene required it."),
+     ...);
+}
+
 void declare_all(SettingList& list) {
     declare_shared_settings(list);
+    declare_plan_rules(list, std::make_index_sequence<kPlanRules.size()>());
     for (const TechniqueEntry& technique : techniques()) {
         if (technique.declare != nullptr) {
             technique.declare(list);

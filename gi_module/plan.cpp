@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lanthorn/scene/diffuse_reflectance.h"
+#include "gi_module/carried_light.h"
 
 namespace lanthorn::gi {
 
@@ -16,21 +16,9 @@ float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
         const Material& m = scene.material(instance);
-        if (m.unlit) {
-            continue;
-        }
-        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass, or
-        // a rough metal.
-        const float transmission = m.transmission_texture.present() ? 0.0f : m.transmission;
-        const MaterialReflectance reflects = MaterialReflectance::of(m);
-        const float share = m.metallic_roughness_texture.present()
-                                ? std::max((1 - transmission) * reflects.transmittance, reflects.evenly)
-                                : base_reflectance(m.metallic, transmission, m.roughness,
-                                                   reflects.transmittance, reflects.evenly);
-        const vec3 albedo = vec3(m.base_colour) * share + reflects.boundary;
-        largest = std::max({largest, albedo.x, albedo.y, albedo.z});
+        largest = m.unlit ? largest : std::max(largest, albedo_of(m));
     }
-    return std::min(largest, 1.0f);
+    return largest;
 }
 
 // Whether light leaves any surface otherwise than diffusely: metal, or what is transparent.
@@ -77,14 +65,17 @@ std::string plan_json(const GiPlan& plan) {
 
 LightBounds light_bounds(const FrameScene& scene) {
     if (scene.instances.empty()) {
-        return {Unlit::no_geometry, 0, false};
+        return {Unlit::no_geometry, 0, false, {}};
     }
     const float albedo = largest_albedo(scene);
     const bool lamps = any_lamp(scene);
     if (!lamps && !scene.sky) {
-        return {Unlit::no_light, albedo, lamps};
+        return {Unlit::no_light, albedo, lamps, {}};
     }
-    return {albedo > 0 || any_mirror(scene) ? Unlit::no : Unlit::nothing_reflects, albedo, lamps};
+    if (!(albedo > 0) && !any_mirror(scene)) {
+        return {Unlit::nothing_reflects, albedo, lamps, {}};
+    }
+    return {Unlit::no, albedo, lamps, carried_light(scene, albedo)};
 }
 
 std::string_view words(Unlit unlit) {
@@ -101,11 +92,15 @@ std::string_view words(Unlit unlit) {
     return "the scene has indirect light";
 }
 
-int useful_bounces(float albedo, int limit) {
+int useful_bounces(const CarriedLight& carried, int limit, int before) {
     // Below 1/500 light is under the image's own noise.
     constexpr float kNegligible = 1.0f / 500.0f;
     int bounces = 1;
-    while (bounces < limit && std::pow(albedo, static_cast<float>(bounces + 1)) > kNegligible) {
+    while (bounces < limit && bounces < static_cast<int>(carried.size())) {
+        const float least = bounces < before ? 0.5f * kNegligible : kNegligible;
+        if (!(carried[static_cast<std::size_t>(bounces)] > least)) {
+            break;
+        }
         ++bounces;
     }
     return bounces;

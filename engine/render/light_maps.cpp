@@ -189,6 +189,7 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     has_movers_.resize(lights_.size());
     steady_.resize(lights_.size());
     outdated_.resize(lights_.size());
+    int as_before = 0;  // of the layers drawn
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool fresh_map = lights_[i].type == kLightAreaSample ? fresh_area : fresh;
         const bool moved = i >= before.size() || !same_map(before[i], lights_[i]);
@@ -201,6 +202,9 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         } else if (anew || outdated_[i]) {
             steady_[i] = 0;
             draw_anew(i, scene, gpu_scene);
+        } else if (!settings.shadow_kept) {
+            draw_anew(i, scene, gpu_scene);
+            as_before += motion_.changed() ? 0 : static_cast<int>(lights_[i].layers);
         } else {
             steady_[i] = std::min(steady_[i] + 1, kSteadyAfter);
             follow(i, scene, gpu_scene);
@@ -211,7 +215,7 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         area_.forget_stills();
     }
     glDisable(GL_DEPTH_TEST);
-    if (altered || layers_drawn_ > 0) {
+    if (altered || layers_drawn_ > as_before) {
         ++version_;
     }
 }

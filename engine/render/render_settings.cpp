@@ -16,6 +16,10 @@ void declare_render_settings(SettingsSchema& schema) {
             "moves")
         .docs(
             "Side of a map of a point, spot or directional light: its shadows, and where its photons start.");
+    schema.declare<bool>("render.shadow.kept")
+        .initially(d.shadow_kept)
+        .cost("false draws every map of a light that shines in every frame")
+        .docs("For measuring the plan (docs/plan.md). False: no map is kept from frame to frame.");
     schema.declare<int>("render.area_lights.max")
         .unit("surfaces")
         .range(0, 64)
@@ -160,6 +164,7 @@ void declare_render_settings(SettingsSchema& schema) {
 RenderSettings render_settings(const Settings& s) {
     RenderSettings r;
     r.shadow_resolution = s.get<int>("render.shadow.resolution");
+    r.shadow_kept = s.get<bool>("render.shadow.kept");
     r.area_lights_max = s.get<int>("render.area_lights.max");
     r.area_lights_samples = s.get<int>("render.area_lights.samples");
     r.area_lights_resolution = s.get<int>("render.area_lights.resolution");

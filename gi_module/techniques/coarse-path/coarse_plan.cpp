@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/coarse-path/coarse_settings.h"
 
@@ -84,7 +85,7 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = useful_bounces(bounds.albedo, settings.bounces);
+    plan.bounces = planned_bounces(settings, bounds.carried, settings.bounces);
 
     const auto& c = settings.of<CoarseSettings>();
     const SceneChanges& changes = scene.changes;

@@ -1,17 +1,20 @@
 #include "gi_module/techniques/emc/emc_inputs.h"
 
+#include "gi_module/shared/plan_rules.h"
+
 namespace lanthorn::gi {
 
 void EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s, Unlit unlit,
                        EmcStamps::Versions& versions) {
     const auto& e = s.of<EmcSettings>();
+    const auto& rules = s.of<PlanRules>();
     const March march{e.search, e.steps, e.exhaustive, e.threshold};
-    maps_.follow({e.count, e.reserved, e.candidates, e.resolution, s.seed});
+    maps_.follow({e.count, e.reserved, e.candidates, e.resolution, s.seed, rules.count});
     round_.follow(e.update_interval);
-    photons_.follow(
-        {s.bounces, s.photons, s.seed, e.final_stage, e.splat_bandwidth, e.splat_glossy, e.splat_c0, march});
-    lit_.follow({s.bounces, s.seed, e.final_stage, e.rays, e.gather_texels, e.gather_source, e.gather_endless,
-                 march});
+    photons_.follow({s.bounces, rules.bounces, s.photons, s.seed, e.final_stage, e.splat_bandwidth,
+                     e.splat_glossy, e.splat_c0, march});
+    lit_.follow({s.bounces, rules.bounces, s.seed, e.final_stage, e.rays, e.gather_texels, e.gather_source,
+                 e.gather_endless, march});
     lit_photons_.follow(e.gather_photons);
     image_.follow({s.accumulate, e.final_stage, e.gather_grid, e.gather_points, e.gather_rays, e.gather_guide,
                    e.splat_base, e.splat_contrast});

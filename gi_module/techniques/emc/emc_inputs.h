@@ -69,11 +69,11 @@ class EmcInputs {
 
   private:
     using March = std::tuple<Search, int, bool, float>;
-    Versioned<std::tuple<int, int, int, int, std::uint32_t>> maps_;
+    Versioned<std::tuple<int, int, int, int, std::uint32_t, bool>> maps_;
     Versioned<int> round_;
-    Versioned<std::tuple<int, int, std::uint32_t, EmcFinal, Bandwidth, GlossyBandwidth, float, March>>
+    Versioned<std::tuple<int, bool, int, std::uint32_t, EmcFinal, Bandwidth, GlossyBandwidth, float, March>>
         photons_;
-    Versioned<std::tuple<int, std::uint32_t, EmcFinal, EmcRays, int, GatherSource, bool, March>> lit_;
+    Versioned<std::tuple<int, bool, std::uint32_t, EmcFinal, EmcRays, int, GatherSource, bool, March>> lit_;
     Versioned<int> lit_photons_;
     Versioned<std::tuple<int, EmcFinal, int, int, int, bool, SplatBase, float>> image_;
     Versioned<std::tuple<EmcFinal, int, int, int, bool>> points_;

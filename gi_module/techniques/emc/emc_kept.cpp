@@ -80,6 +80,8 @@ void specular_done(EmcKept& kept, const EmcPlan& plan) {
 
 void EmcKept::done(const EmcPlan& plan, const EmcResults& results, const Aabb& bounds) {
     maps_done(*this, plan, results, bounds);
+    this->bounces = plan.bounces;
+    lit_bounces = plan.lit_bounces;
     if (plan.on(Pass::emission)) {
         photons.made(plan.now);
     }

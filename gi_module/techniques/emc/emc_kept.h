@@ -25,6 +25,10 @@ struct EmcKept {
     bool lacks_maps = false;  // the last survey of the picture's rays has found so
     int survey_in = 0;        // frames with rays until the next one
 
+    // Reflections that were traced, and of light on the lit maps; 0: none yet.
+    int bounces = 0;
+    int lit_bounces = 0;
+
     // Materials, of the frame before: maps look colours up.
     EmcStamps materials{Input::assets, Input::paint};
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gi_module/shared/plan_rules.h"
 #include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
@@ -55,13 +56,14 @@ Reason why_selection(const EmcPlan& plan, const EmcKept& kept, bool grown) {
 void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcFrame& frame,
                const EmcKept& kept) {
     const auto& e = s.of<EmcSettings>();
+    const auto& rules = s.of<PlanRules>();
     const bool geometry = kept.maps.differs(Input::geometry, plan.now);
     const bool pattern = kept.maps.differs(Input::pattern, plan.now);
     const bool grown = outgrown(scene, kept.chosen_for);
     const bool select = kept.centres.due(plan.now) || grown;
     plan.set(Pass::selection, select, why_selection(plan, kept, grown));
 
-    plan.round_due = geometry || kept.round.differs(Input::reach, plan.now);
+    plan.round_due = geometry || kept.round.differs(Input::reach, plan.now) || !rules.rounds;
     if (!select) {
         ProgressiveUpdate of_round = kept.update;
         if (kept.round.differs(Input::round_settings, plan.now)) {
@@ -81,11 +83,14 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
                              : Reason::exchange_waits);
     plan.set(Pass::reserved_map, frame.reserved,
              frame.reserved ? Reason::rays_lack_maps : Reason::rays_meet_maps);
-    plan.set(Pass::environment_maps, select || geometry || frame.reserved || pattern,
+    const bool other_maps = select || geometry || frame.reserved || pattern;
+    plan.redraw_all = !rules.maps;
+    plan.set(Pass::environment_maps, other_maps || plan.redraw_all,
              select                                           ? Reason::new_centres
              : frame.reserved                                 ? Reason::map_exchanged
              : geometry                                       ? Reason::geometry_changed
              : pattern                                        ? Reason::pattern_changed
+             : plan.redraw_all                                ? Reason::rule_is_off
              : kept.materials.differs(Input::paint, plan.now) ? Reason::colours_are_looked_up
                                                               : Reason::maps_hold);
     plan.gather.verify = plan.lit.verify =
@@ -93,18 +98,21 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
 
     const auto makes = [&](Input made, bool anew) { version_of(plan.now, made) += anew ? 1 : 0; };
     makes(Input::chosen_maps, select);
-    makes(Input::drawn_maps, plan.on(Pass::environment_maps));
+    makes(Input::drawn_maps, other_maps);
     makes(Input::exchanged_maps, plan.on(Pass::progressive_update));
     makes(Input::fade, kept.fading);
 }
 
-Reason why_photons(const EmcPlan& plan, const EmcKept& kept, bool refine, bool trace) {
+Reason why_photons(const EmcPlan& plan, const EmcKept& kept, bool refine, bool trace, bool rule) {
     if (kept.photons.empty()) {
         return Reason::no_photons_yet;
     }
     const auto other = kept.photons.other(plan.now);
     if (!other) {
-        return refine ? Reason::next_pass : trace ? Reason::first_photons_again : Reason::photons_hold;
+        return refine  ? Reason::next_pass
+               : !rule ? Reason::rule_is_off
+               : trace ? Reason::first_photons_again
+                       : Reason::photons_hold;
     }
     switch (*other) {
         case Input::lights:
@@ -136,15 +144,16 @@ void plan_splats(EmcPlan& plan, const GiSettings& s, bool glossy, const EmcKept&
     const bool new_image = new_photons || kept.image.due(plan.now);
     const bool refine = !new_image && kept.passes < s.accumulate;
     // A picture begins with the first photons: those of a later pass do not serve another view.
-    const bool trace = new_photons || refine || (new_image && kept.passes > 1);
-    const bool splat = new_image || refine;
+    const auto& rules = s.of<PlanRules>();
+    const bool trace = new_photons || refine || (new_image && kept.passes > 1) || !rules.light;
+    const bool splat = new_image || refine || (!rules.picture && s.accumulate == 1);
     plan.splat_surroundings = kept.splat_surroundings.due(plan.now);
     plan.pass = refine ? kept.passes : 0;
     // Noise averages out over the passes, what is interpolated wrongly does not.
     plan.base = refine ? std::min(s.of<EmcSettings>().splat_base, SplatBase::quarter)
                        : s.of<EmcSettings>().splat_base;
 
-    const Reason photons = why_photons(plan, kept, refine, trace);
+    const Reason photons = why_photons(plan, kept, refine, trace, rules.light);
     plan.set(Pass::emission, trace, photons);
     plan.set(Pass::bounces, trace,
              !trace                     ? photons
@@ -153,7 +162,10 @@ void plan_splats(EmcPlan& plan, const GiSettings& s, bool glossy, const EmcKept&
     for (const Pass pass : {Pass::lit_photons, Pass::lit_maps, Pass::gather, Pass::filter}) {
         plan.set(pass, false, Reason::photons_instead);
     }
-    plan.set(Pass::splats, splat, trace ? Reason::new_photons : why_image(plan, kept));
+    plan.set(Pass::splats, splat,
+             trace                                   ? Reason::new_photons
+             : !new_image && splat && !rules.picture ? Reason::rule_is_off
+                                                     : why_image(plan, kept));
     plan.glossy = glossy;
     plan.set(Pass::glossy_splats, splat && glossy,
              glossy                                                      ? plan.why(Pass::splats)
@@ -191,12 +203,13 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcFra
     plan.now = frame.inputs;
     plan.unlit = frame.light.unlit;
     plan.albedo = frame.light.albedo;
+    plan.carried = frame.light.carried;
     plan.lamps = frame.light.lamps;
     if (plan.unlit != Unlit::no) {
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = useful_bounces(plan.albedo, s.bounces);
+    plan.bounces = planned_bounces(s, frame.light.carried, s.bounces, kept.bounces);
     plan_maps(plan, scene, s, frame, kept);
     if (s.of<EmcSettings>().final_stage == EmcFinal::gather) {
         plan_gather(plan, scene, s, kept);

@@ -69,6 +69,7 @@ enum class EmcReason : std::uint8_t {
     map_exchanged,
     colours_are_looked_up,
     maps_hold,
+    rule_is_off,
     // Of photons.
     no_photons_yet,
     next_pass,
@@ -144,13 +145,15 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
     EmcStamps::Versions now{};
 
     Unlit unlit = Unlit::no;
-    float albedo = 0;     // of the brightest surface
-    bool lamps = false;   // something else than the sky shines
-    int bounces = 0;      // that are traced
-    int lit_bounces = 0;  // reflections that light on the lit maps is worth; endless ones end at 4 here
+    float albedo = 0;        // of the brightest surface
+    CarriedLight carried{};  // by each reflection
+    bool lamps = false;      // something else than the sky shines
+    int bounces = 0;         // that are traced
+    int lit_bounces = 0;     // reflections that light on the lit maps is worth; endless ones end at 4 here
     ProgressiveUpdate::Step update;
-    bool round_due = false;  // of it: geometry, or what the camera reaches, has changed
-    int pass = 0;            // passes of a still picture traced before this frame's photons
+    bool redraw_all = false;  // of the maps, whatever has moved (gi.plan.maps)
+    bool round_due = false;   // of it: geometry, or what the camera reaches, has changed
+    int pass = 0;             // passes of a still picture traced before this frame's photons
     // Of gi.emc.final = splat alone.
     SplatBase base = SplatBase::full;
     bool glossy = false;              // the picture has glossy splats

@@ -45,6 +45,13 @@ std::string splatted(const EmcPlan& plan, const EmcResults& results) {
     return words;
 }
 
+// What so many reflections and one more carry of the light.
+std::string carried(const EmcPlan& plan, int reflections) {
+    const auto place = static_cast<std::size_t>(reflections);
+    return place < plan.carried.size() ? fmt::format("{:.2g} % of the light", 100 * plan.carried[place])
+                                       : std::string("next to nothing");
+}
+
 // Of a pass that runs.
 std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, const GiSettings& s) {
     switch (pass) {
@@ -70,9 +77,10 @@ std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, c
             return fmt::format("{} of {}", plan.bounces, s.bounces);
         case EmcPass::lit_maps:
             return s.of<EmcSettings>().gather_endless && plan.lit_bounces > 1
-                       ? std::string("endless reflections")
-                       : fmt::format("{} of {}", plan.lit_bounces,
-                                     s.of<EmcSettings>().gather_endless ? 1 : s.bounces);
+                       ? fmt::format("endless reflections, the second carries {}", carried(plan, 1))
+                       : fmt::format("{} of {}, the next would carry {}", plan.lit_bounces,
+                                     s.of<EmcSettings>().gather_endless ? 1 : s.bounces,
+                                     carried(plan, plan.lit_bounces));
         case EmcPass::gather:
             return gathered(plan, results, s);
         case EmcPass::splats:
@@ -183,11 +191,12 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::photons_instead:
             return "gi.emc.final is splat: photons light the picture";
         case EmcReason::later_bounces_are_dim:
-            return fmt::format(
-                "the brightest surface reflects {:.2f}: bounce {} cannot carry 1/500 of the light",
-                plan.albedo, plan.bounces + 1);
+            return fmt::format("reflection {} would carry {}: less than a 500th", plan.bounces + 1,
+                               carried(plan, plan.bounces));
         case EmcReason::every_bounce_matters:
             return "every bounce can still matter";
+        case EmcReason::rule_is_off:
+            return "a rule of the plan is off (gi.plan): it runs as if it had to";
         case EmcReason::no_specular:
             return "no specular or transmissive surface";
         case EmcReason::no_caustics_wanted:

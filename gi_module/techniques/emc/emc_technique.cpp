@@ -135,7 +135,7 @@ void EmcTechnique::update_maps(const render::LightInputs& inputs) {
         results_.faces += maps_.faces_drawn();
     } else if (plan_.on(EmcPass::environment_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
-        maps_.redraw(scene, inputs.gpu_scene);
+        maps_.redraw(scene, inputs.gpu_scene, plan_.redraw_all);
         results_.faces += maps_.faces_drawn();
     }
     maps_.advance_fade(settings_);

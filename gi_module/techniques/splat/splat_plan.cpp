@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/shared/mirrors/mirror_plan.h"
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/splat/splat_settings.h"
 
@@ -80,7 +81,7 @@ SplatPlan make_splat_plan(const FrameScene& scene, const GiSettings& settings, c
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = useful_bounces(bounds.albedo, settings.bounces);
+    plan.bounces = planned_bounces(settings, bounds.carried, settings.bounces);
 
     const auto& own = settings.of<SplatSettings>();
     const SceneChanges& changes = scene.changes;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/shared/mirrors/mirror_plan.h"
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/vertex-map/vertex_map_settings.h"
 
@@ -110,7 +111,7 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
     }
     const auto& v = settings.of<VertexMapSettings>();
     const int most = std::min(settings.bounces, v.max_level - 1);
-    plan.bounces = most > 0 ? useful_bounces(bounds.albedo, most) : 0;
+    plan.bounces = most > 0 ? planned_bounces(settings, bounds.carried, most) : 0;
     plan.levels = plan.bounces + 1;
     plan.direct = v.direct;
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/techniques/emc/splat/accumulation.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "tests/unit/emc/emc_frames.h"
@@ -563,6 +564,41 @@ TEST(EmcPlan, AnExchangedMapIsInTheWords) {
     results.exchanged = true;
     EXPECT_EQ(entry(plan, by_splats(), "environment_maps", results).why,
               "a map has been exchanged: the new one");
+}
+
+// Each switch of gi.plan makes work that the scene does not require, and says so; one that does not would
+// measure nothing.
+TEST(EmcPlan, ARuleThatIsOffLeavesNothingOut) {
+    FrameScene scene = lit_room(0.02f);
+    GiSettings settings = counted_gather();
+    const auto without = [&](bool PlanRules::*rule) {
+        GiSettings off = settings;
+        off.edit<PlanRules>().*rule = false;
+        EmcFrames frames = settled(scene, off);
+        hold_still(scene);
+        return frames.next(scene, off);
+    };
+    const EmcPlan maps = without(&PlanRules::maps);
+    EXPECT_TRUE(maps.redraw_all && maps.on(EmcPass::environment_maps));
+    EXPECT_EQ(maps.why(EmcPass::environment_maps), EmcReason::rule_is_off);
+    EXPECT_FALSE(maps.lit.look || maps.on(EmcPass::gather)) << "they show what they did";
+    const EmcPlan light = without(&PlanRules::light);
+    EXPECT_TRUE(light.lit.light && light.lit.light_all && light.on(EmcPass::lit_maps));
+    EXPECT_EQ(light.why(EmcPass::lit_maps), EmcReason::rule_is_off);
+    EXPECT_FALSE(light.lit.shoot || light.on(EmcPass::environment_maps));
+    const EmcPlan picture = without(&PlanRules::picture);
+    EXPECT_TRUE(picture.on(EmcPass::gather) && picture.on(EmcPass::filter));
+    EXPECT_EQ(picture.why(EmcPass::gather), EmcReason::rule_is_off);
+    EXPECT_FALSE(picture.gather.shoot || picture.gather.points || picture.on(EmcPass::lit_maps));
+    EXPECT_TRUE(without(&PlanRules::rounds).round_due);
+    EXPECT_EQ(without(&PlanRules::bounces).bounces, settings.bounces);
+    EXPECT_EQ(without(&PlanRules::count).bounces, 1) << "and its own alone";
+    EXPECT_TRUE(without(&PlanRules::mirrors).on(EmcPass::specular));
+    EXPECT_FALSE(without(&PlanRules::count).on(EmcPass::specular));
+    settings = by_splats();
+    EXPECT_TRUE(without(&PlanRules::light).on(EmcPass::bounces));
+    EXPECT_TRUE(without(&PlanRules::picture).on(EmcPass::splats));
+    EXPECT_FALSE(without(&PlanRules::picture).on(EmcPass::bounces));
 }
 
 TEST(EmcPlan, JsonIsAListOfPasses) {

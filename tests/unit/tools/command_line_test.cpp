@@ -99,6 +99,31 @@ TEST_F(CommandLine, BadSettings) {
     expect_refused(with({"--settings", bad}), "bad.json: gi.photons: found 'many'");
 }
 
+TEST_F(CommandLine, TradeAdvisesFromAFinishedChart) {
+    const std::string chart = support::repository_file("docs/trade/techniques.csv");
+    const Outcome result = run({"trade", "--from", chart, "--for-ms", "33,100", "--share", "0.75"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("33 ms"), std::string::npos);
+    EXPECT_NE(result.out.find("corridor"), std::string::npos) << "each scene by itself";
+    const Outcome one = run({"trade", "corridor", "--from", chart, "--for-error", "0.5", "--json"});
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_NE(one.out.find("\"worst_scene\": \"corridor\""), std::string::npos) << one.out;
+
+    expect_refused({"trade", "--from", chart, "--for-ms", "0.1"}, "the cheapest takes", 1);
+    expect_refused({"trade", "--from", chart, "--for-error", "0.001"}, "the least error is", 1);
+    for (const char* limit : {"0", "-1", "many", "nan", "1,0"}) {
+        expect_refused({"trade", "--from", chart, "--for-ms", limit}, "--for-ms");
+        expect_refused({"trade", "--from", chart, "--for-error", limit}, "--for-error");
+    }
+    expect_refused({"trade", "--from", path(), "--for-ms", "33"}, "trade.csv");
+    expect_refused({"trade", "--from", cornell(), "--for-ms", "33"}, "trade.csv");
+    expect_refused({"trade", "--from", chart}, "--for-ms");
+    expect_refused({"trade", "attic", "--from", chart, "--for-ms", "33"}, "attic");
+    expect_refused({"trade", "--from", chart, "-o", path("t"), "--for-ms", "33"}, "-o");
+    expect_refused({"trade", cornell()}, "-o DIR");
+    expect_refused({"trade", cornell(), "-o", path("t"), "--seeds", "0"}, "--seeds");
+}
+
 TEST_F(CommandLine, ListSettings) {
     const Outcome result = run({"render", "--list-settings"});
     EXPECT_EQ(result.code, 0);

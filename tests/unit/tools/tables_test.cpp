@@ -18,9 +18,9 @@ std::string text_of(const char* path) {
 
 // After a change of what is declared: build the target update-tables.
 TEST(Tables, InThePagesAreWhatIsDeclared) {
-    for (const char* path : {"docs/levels.md", "docs/settings.md"}) {
+    for (const char* path : {"docs/levels.md", "docs/settings.md", "docs/what-you-get.md"}) {
         const std::string page = text_of(path);
-        EXPECT_EQ(with_tables(page, path), page) << path;
+        EXPECT_EQ(with_tables(page, support::repository_file(path)), page) << path;
     }
 }
 
@@ -43,6 +43,10 @@ TEST(Tables, SayWhatAnAuthorMaySet) {
 TEST(Tables, PagesWithoutMarksAreRefused) {
     EXPECT_THROW(with_tables("a page\n", "p"), InputError);
     EXPECT_THROW(with_tables("<!-- table settings -->\n", "p"), InputError);
+    EXPECT_THROW(with_tables("<!-- table doors -->\n<!-- end of doors -->\n", "p"), InputError);
+    EXPECT_THROW(
+        with_tables("<!-- table advice from p.csv -->\n<!-- end of advice from p.csv -->\n", "/nowhere/p"),
+        InputError);
     EXPECT_EQ(with_tables("a\n<!-- table settings -->\nold\n<!-- end of settings -->\nb\n", "p"),
               "a\n<!-- table settings -->\n" + table("settings") + "<!-- end of settings -->\nb\n");
 }

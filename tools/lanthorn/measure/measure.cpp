@@ -1,8 +1,10 @@
-// lanthorn measure hits|coverage|flicker|energy|effects|motions|photons|why|contracts SCENE: what an image
-// cannot tell of the indirect light.
+// lanthorn measure hits|coverage|flicker|energy|effects|motions|frames|photons|plan|why|contracts SCENE: what an
+// image cannot tell of the indirect light.
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
@@ -20,6 +22,7 @@
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 #include "tools/lanthorn/measure/photons_command.h"
+#include "tools/lanthorn/measure/plan_command.h"
 #include "tools/lanthorn/measure/why_command.h"
 #include "tools/workbench/scene/stopping.h"
 
@@ -210,24 +213,15 @@ Command add_measure(CLI::App& app) {
     add_coverage_options(*command->get_subcommand("coverage"), *options);
     add_effects_options(*command->get_subcommand("effects"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
-    const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
-    const Command why = add_measure_why(*command), contracts = add_measure_contracts(*command);
-    const Command frames = add_measure_frames(*command);
-    return [options, command, motions, photons, why, contracts, frames] {
-        if (command->got_subcommand("frames")) {
-            return frames();
-        }
-        if (command->got_subcommand("contracts")) {
-            return contracts();
-        }
-        if (command->got_subcommand("why")) {
-            return why();
-        }
-        if (command->got_subcommand("photons")) {
-            return photons();
-        }
-        if (command->got_subcommand("motions")) {
-            return motions();
+    const std::vector<std::pair<const char*, Command>> others = {
+        {"motions", add_measure_motions(*command)}, {"frames", add_measure_frames(*command)},
+        {"photons", add_measure_photons(*command)}, {"plan", add_measure_plan(*command)},
+        {"why", add_measure_why(*command)},         {"contracts", add_measure_contracts(*command)}};
+    return [options, command, others] {
+        for (const auto& [name, measure] : others) {
+            if (command->got_subcommand(name)) {
+                return measure();
+            }
         }
         for (const Measure& measure : kMeasures) {
             if (command->got_subcommand(measure.name)) {
@@ -236,7 +230,7 @@ Command add_measure(CLI::App& app) {
         }
         throw InputError(
             "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, frames, "
-            "photons, why or contracts");
+            "photons, plan, why or contracts");
     };
 }
 

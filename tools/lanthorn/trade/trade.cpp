@@ -1,4 +1,5 @@
 // lanthorn trade SCENE... -o DIR: error against time for all techniques.
+// lanthorn trade --from CHART --for-ms MS: what to set, by a chart that is finished.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +28,7 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/trade/advice_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
 #include "tools/workbench/scene/stopping.h"
@@ -46,6 +48,10 @@ struct Options {
     TradeMeasurement job;
     int reference_spp = 256;
     int thumbnail = 96;
+    int seeds = 1;
+    std::string from;  // a finished chart; empty: one is made
+    Wishes wishes;
+    bool markdown = false, json = false;
 };
 
 struct PointOptions {
@@ -323,14 +329,75 @@ void write_reports(const TradeFolder& folder, const Options& options, std::vecto
     write_file(folder.file("trade.html"), trade_html(results, context));
 }
 
+// Each point as often as there are seeds, those of a point behind each other.
+std::vector<TradePoint> with_seeds(const std::vector<TradePoint>& points, int seeds,
+                                   const SettingsSchema& schema) {
+    std::vector<TradePoint> result;
+    for (const TradePoint& point : points) {
+        const int first = point.settings(schema).get<int>("gi.seed");
+        for (int i = 0; i < seeds; ++i) {
+            result.push_back(point);
+            if (i > 0) {
+                result.back().common.push_back(fmt::format("gi.seed={}", first + i));
+            }
+        }
+    }
+    return result;
+}
+
+// What with_seeds() made many of, one again. A point whose seeds are not all there is left out.
+std::vector<TradeResult> without_seeds(const std::vector<TradeResult>& results, int seeds) {
+    std::vector<TradeResult> points;
+    const auto count = static_cast<std::size_t>(seeds);
+    for (std::size_t i = 0; i + count <= results.size(); i += count) {
+        const auto first = results.begin() + static_cast<std::ptrdiff_t>(i);
+        points.push_back(over_seeds({first, first + seeds}));
+    }
+    return points;
+}
+
+// Prints what to set; a wish that nothing keeps within fails the check.
+ExitCode advise_by(const std::vector<ChartRow>& rows, const Options& options) {
+    if (options.json) {
+        fmt::print("{}\n", advice_json(rows, options.wishes).dump(2));
+    } else if (options.markdown) {
+        fmt::print("{}", advice_markdown(rows, options.wishes));
+    } else {
+        fmt::print("{}", advice_text(rows, options.wishes, scenes_of(rows).size() > 1));
+    }
+    const std::string missing = unmet(rows, options.wishes);
+    if (!missing.empty()) {
+        throw Error(ExitCode::check_failed, "trade: " + missing);
+    }
+    return ExitCode::ok;
+}
+
+ExitCode advise_from_chart(const Options& options) {
+    if (!options.output.empty()) {
+        throw InputError("trade: found --from and -o, expected one of them: a finished chart, or a new one");
+    }
+    if (!options.wishes.any()) {
+        throw InputError("trade: found --from alone, expected --for-ms or --for-error with it");
+    }
+    const std::vector<ChartRow> rows = read_chart(options.from);
+    return advise_by(options.sweep.scenes.empty() ? rows : of_scenes(rows, options.sweep.scenes), options);
+}
+
 ExitCode trade(Options options) {
+    if (!options.from.empty()) {
+        return advise_from_chart(options);
+    }
+    if (options.sweep.scenes.empty() || options.output.empty()) {
+        throw InputError("trade: expected scenes and -o DIR, or --from with a finished chart");
+    }
     SettingsSchema schema;
     declare_all_settings(schema);
     options.job.size = parse_size("--size", options.size, 1, kLargestPicture);
     for (const std::string& knob : options.knobs) {
         options.sweep.knobs.push_back(parse_knob(knob, schema));
     }
-    const std::vector<TradePoint> points = sweep_points(options.sweep, schema);
+    const std::vector<TradePoint> points =
+        with_seeds(sweep_points(options.sweep, schema), options.seeds, schema);
     const TradeFolder folder(options);
 
     const StopSignal stop;
@@ -356,6 +423,7 @@ ExitCode trade(Options options) {
         },
         [&](std::size_t n) { progress.update(done + n); }, [&] { return stop.asked(); });
 
+    run.results = without_seeds(run.results, options.seeds);
     write_reports(folder, options, run.results);
     const std::size_t measured = run.results.size() - run.lost;
     if (run.interrupted) {
@@ -370,7 +438,38 @@ ExitCode trade(Options options) {
                     fmt::format("trade: {} of {} points lost, the first {} ({}): {}", run.lost, points.size(),
                                 lost->point.label(), lost->point.scene_name(), lost->lost));
     }
-    return ExitCode::ok;
+    return options.wishes.any() ? advise_by(chart_rows(run.results), options) : ExitCode::ok;
+}
+
+void add_advice_options(CLI::App& command, Options& options) {
+    command
+        .add_option("--from", options.from,
+                    "a finished chart, its folder or its CSV: measure nothing, advise from it")
+        ->type_name("CHART");
+    Wishes& wishes = options.wishes;
+    command
+        .add_option(
+            "--for-ms", wishes.ms,
+            "print what has the least error within so many milliseconds, separated by commas; exit code "
+            "1 where nothing is as cheap")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(number_between(1e-3, 1e6));
+    command
+        .add_option("--for-error", wishes.errors,
+                    "print what takes the least time up to such a relRMSE of indirect light, separated by "
+                    "commas; exit code 1 where nothing is as good")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(number_between(1e-6, 1e6));
+    command
+        .add_option("--share", wishes.share,
+                    "of the scenes in which that limit must hold: 1 is all of them, 0.75 three of four")
+        ->check(number_between(1e-3, 1))
+        ->capture_default_str();
+    CLI::Option* markdown =
+        command.add_flag("--markdown", options.markdown, "print that advice as a Markdown table");
+    command.add_flag("--json", options.json, "print that advice as one JSON object")->excludes(markdown);
 }
 
 ExitCode measure_point(const PointOptions& options) {
@@ -393,16 +492,15 @@ Command add_trade(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
     const auto is_preset = CLI::IsMember(preset_names());
-    command
-        ->add_option("SCENE", sweep.scenes,
-                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
-        ->required();
-    command
-        ->add_option(
-            "-o,--output", options->output,
-            "folder for trade.csv, trade.svg, trade.html and, below it, what is finished: the same command "
-            "again measures only what is missing")
-        ->required();
+    command->add_option(
+        "SCENE", sweep.scenes,
+        "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras; with --from: names of "
+        "scenes of that chart (default: all)");
+    command->add_option(
+        "-o,--output", options->output,
+        "folder for trade.csv, trade.svg, trade.html and, below it, what is finished: the same command "
+        "again measures only what is missing");
+    add_advice_options(*command, *options);
     command
         ->add_option(
             "--technique", sweep.techniques,
@@ -436,6 +534,13 @@ Command add_trade(CLI::App& app) {
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that is shown, standing still (default: 0)");
     add_motion_option(*command, options->job.motion);
+    command
+        ->add_option(
+            "--seeds", options->seeds,
+            "measure each point with so many seeds: figures are medians, and the CSV and the page have "
+            "the least and the largest error")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     command->add_option("--frames", options->job.frames, "frames to measure")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

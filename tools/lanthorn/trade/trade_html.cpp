@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/lanthorn/trade/advice_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
 namespace lanthorn::tools {
@@ -41,7 +42,11 @@ constexpr Column kColumns[] = {
     {"relRMSE all", "against all bounces", [](const TradeFigures& f) { return f.relrmse_all; }},
     {"flux all", "against all bounces", [](const TradeFigures& f) { return f.flux_all; }},
     {"FLIP", "of the final picture, all bounces", [](const TradeFigures& f) { return f.flip; }},
-    {"MB", "GPU memory", [](const TradeFigures& f) { return f.gpu_mb; }}};
+    {"GPU MB", "buffers and textures of the renderer", [](const TradeFigures& f) { return f.gpu_mb; }},
+    {"process MB", "the most that the process had in memory", [](const TradeFigures& f) { return f.rss_mb; }},
+    {"seeds", "over so many seeds each figure is the median", [](const TradeFigures& f) { return f.seeds; }},
+    {"least", "relRMSE of the best seed", [](const TradeFigures& f) { return f.relrmse_least; }},
+    {"most", "relRMSE of the worst seed", [](const TradeFigures& f) { return f.relrmse_most; }}};
 
 constexpr const char* kHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Error against time</title>
@@ -63,7 +68,7 @@ tr.front td{background:#eef6ee}tr.lost td{color:#a33}tr:hover td,tr.lit td{backg
 )";
 
 constexpr const char* kScript = R"(
-const card=document.getElementById('card'),measure=document.getElementById('measure');
+const card=document.getElementById('card'),measure=document.getElementById('measure'),axis=document.getElementById('axis');
 function light(i,on){
   document.querySelectorAll('[data-i="'+i+'"]').forEach(e=>e.classList.toggle('lit',on));
   card.style.display=on?'block':'none';
@@ -79,8 +84,9 @@ document.querySelectorAll('[data-i]').forEach(e=>{
   e.addEventListener('mouseenter',()=>light(e.dataset.i,true));
   e.addEventListener('mouseleave',()=>light(e.dataset.i,false));
 });
-function show(){document.querySelectorAll('[data-measure]').forEach(e=>e.hidden=e.dataset.measure!==measure.value);}
-measure.addEventListener('change',show);show();
+function show(){document.querySelectorAll('[data-measure]').forEach(e=>
+  e.hidden=e.dataset.measure!==measure.value||e.dataset.axis!==axis.value);}
+measure.addEventListener('change',show);axis.addEventListener('change',show);show();
 document.querySelectorAll('th').forEach((th,column)=>{
   let up=false;
   th.addEventListener('click',()=>{
@@ -100,11 +106,18 @@ std::string charts(const std::vector<TradeResult>& results) {
         html += fmt::format("<option value=\"{}\">{}, {}</option>", m, trade_measures()[m].name,
                             trade_measures()[m].about);
     }
+    html += "</select> against: <select id=\"axis\">";
+    for (std::size_t a = 0; a < trade_axes().size(); ++a) {
+        html += fmt::format("<option value=\"{}\">{}</option>", a, trade_axes()[a].about);
+    }
     html += "</select></p>\n";
     for (const std::string& scene : scenes_of(results)) {
         for (std::size_t m = 0; m < trade_measures().size(); ++m) {
-            html += fmt::format("<div class=\"scene\" data-measure=\"{}\"{}>{}</div>\n", m,
-                                m == 0 ? "" : " hidden", trade_chart(results, scene, trade_measures()[m]));
+            for (std::size_t a = 0; a < trade_axes().size(); ++a) {
+                html += fmt::format("<div class=\"scene\" data-measure=\"{}\" data-axis=\"{}\"{}>{}</div>\n",
+                                    m, a, m == 0 && a == 0 ? "" : " hidden",
+                                    trade_chart(results, scene, trade_measures()[m], trade_axes()[a]));
+            }
         }
     }
     return html;
@@ -139,6 +152,18 @@ std::string table(const std::vector<TradeResult>& results) {
     return html + "</tbody></table>\n";
 }
 
+// What to set for a few budgets, by these points.
+std::string advice(const std::vector<TradeResult>& results) {
+    const std::vector<ChartRow> rows = chart_rows(results);
+    if (!has_common_way(rows)) {
+        return {};
+    }
+    Wishes wishes;
+    wishes.ms = kPageBudgets;
+    wishes.share = kPageShare;
+    return "<h2>What to set</h2>\n" + advice_html(rows, wishes) + "<p>" + reading(wishes) + "</p>\n";
+}
+
 // The points as a script's constant; `</` would end the script.
 std::string data(const std::vector<TradeResult>& results) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -165,7 +190,7 @@ std::string trade_html(const std::vector<TradeResult>& results, const TradeConte
            fmt::format("<p>{}<br>{}<br>{}; {}<br>{}</p>\n", xml_text(context.method),
                        xml_text(context.reference), xml_text(context.machine), xml_text(context.renderer),
                        xml_text(context.build)) +
-           charts(results) +
+           advice(results) + charts(results) +
            "<p>Green rows are on the front of relRMSE. A click on a heading sorts. The card shows the "
            "picture and, "
            "beside it, the relative error of the indirect light: black none, white the mean or more.</p>\n" +

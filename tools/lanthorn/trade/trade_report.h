@@ -27,13 +27,22 @@ struct TradeMeasure {
 // The first is the one that the front and the drawing are made by.
 const std::vector<TradeMeasure>& trade_measures();
 
+// What a chart is drawn against.
+struct TradeAxis {
+    const char* name;   // "ms"
+    const char* about;  // the axis's title
+    double TradeFigures::*cost;
+};
+// The first is the one that the drawing is made against.
+const std::vector<TradeAxis>& trade_axes();
+
 // A line a point, lost ones included, numbers with six digits; RFC 4180.
 std::string trade_csv(const std::vector<TradeResult>& results);
 
 // A chart of one scene's points with logarithmic axes; marks are <g class="point" data-i="I"> with I the
 // index into `results`.
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
-                        const TradeMeasure& measure);
+                        const TradeMeasure& measure, const TradeAxis& axis = trade_axes().front());
 
 // All scenes' charts under each other, by the first measure.
 std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context);

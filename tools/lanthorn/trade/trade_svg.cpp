@@ -54,22 +54,26 @@ struct Range {
 
 class Chart {
   public:
-    Chart(const std::vector<TradeResult>& results, const std::string& scene, const TradeMeasure& measure)
-        : results_(results), measure_(measure), front_(pareto_front(results, measure.error)) {
+    Chart(const std::vector<TradeResult>& results, const std::string& scene, const TradeMeasure& measure,
+          const TradeAxis& axis)
+        : results_(results),
+          measure_(measure),
+          axis_(axis),
+          front_(pareto_front(results, measure.error, axis.cost)) {
         for (std::size_t i = 0; i < results.size(); ++i) {
             const TradeResult& r = results[i];
-            if (!r.measured() || r.point.scene != scene || !(error(i) > 0)) {
+            if (!r.measured() || r.point.scene != scene || !(error(i) > 0) || !(cost(i) > 0)) {
                 continue;
             }
             (r.point.technique == "none" ? none_ : shown_).push_back(i);
         }
-        std::ranges::sort(shown_, {}, [&](std::size_t i) { return results[i].figures.cost_ms; });
+        std::ranges::sort(shown_, {}, [&](std::size_t i) { return cost(i); });
     }
 
     std::string draw(const std::string& title) const {
         Range costs, errors;
         for (const std::size_t i : shown_) {
-            costs.add(results_[i].figures.cost_ms);
+            costs.add(cost(i));
             errors.add(error(i));
         }
         for (const std::size_t i : none_) {
@@ -105,6 +109,7 @@ class Chart {
         const Mark& mark = kMarks[index % std::size(kMarks)];
         return fmt::format("<path class=\"preset\" d=\"{}\" fill=\"{}\"/>", mark.path, mark.colour);
     }
+    double cost(std::size_t i) const { return results_[i].figures.*axis_.cost; }
     double error(std::size_t i) const { return results_[i].figures.*measure_.error; }
 
     std::string frame(const std::string& title, const LogAxis& x, const LogAxis& y) const {
@@ -122,11 +127,8 @@ class Chart {
                 "text-anchor=\"end\">{5:g}</text>\n",
                 y(tick), kLeft, kWidth - kRight, kLeft - 6, y(tick) + 4, tick);
         }
-        svg += fmt::format(
-            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">cost of the indirect light of a frame, ms "
-            "(software "
-            "rasteriser: processor time of all threads)</text>\n",
-            0.5 * (kLeft + kWidth - kRight), kHeight - 14);
+        svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+                           0.5 * (kLeft + kWidth - kRight), kHeight - 14, axis_.about);
         svg +=
             fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                         0.5 * (kTop + kHeight - kBottom), measure_.name);
@@ -144,8 +146,7 @@ class Chart {
         std::string path;
         for (const std::size_t i : shown_) {
             if (front_[i]) {
-                path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L',
-                                    x(results_[i].figures.cost_ms), y(error(i)));
+                path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x(cost(i)), y(error(i)));
             }
         }
         return svg + fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
@@ -161,7 +162,7 @@ class Chart {
         std::vector<std::size_t> points;
         std::vector<ChartBox> taken;
         for (const std::size_t i : shown_) {
-            const glm::dvec2 at(x(results_[i].figures.cost_ms), y(error(i)));
+            const glm::dvec2 at(x(cost(i)), y(error(i)));
             taken.push_back({at - 7.0, at + 7.0});
             if (is_preset(results_[i].point)) {
                 labels.push_back({at, results_[i].point.label()});
@@ -223,16 +224,17 @@ class Chart {
             }
             (preset ? presets : svg) += fmt::format(
                 "<g class=\"point\" data-i=\"{}\" transform=\"translate({:.1f} {:.1f})\"><title>{}: {:.3g} "
-                "ms, {} "
+                "{}, {} "
                 "{:.3g}</title>{}</g>\n",
-                i, x(results_[i].figures.cost_ms), y(error(i)), xml_text(point.label()),
-                results_[i].figures.cost_ms, measure_.name, error(i), mark);
+                i, x(cost(i)), y(error(i)), xml_text(point.label()), cost(i), axis_.name, measure_.name,
+                error(i), mark);
         }
         return svg + presets;
     }
 
     const std::vector<TradeResult>& results_;
     const TradeMeasure& measure_;
+    const TradeAxis& axis_;
     std::vector<bool> front_;
     std::vector<std::size_t> shown_, none_;  // by cost
 };
@@ -250,6 +252,16 @@ constexpr const char* kStyle =
     ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
 
 }  // namespace
+
+const std::vector<TradeAxis>& trade_axes() {
+    static const std::vector<TradeAxis> axes = {
+        {"ms",
+         "cost of the indirect light of a frame, ms (software rasteriser: processor time of all threads)",
+         &TradeFigures::cost_ms},
+        {"GPU MB", "buffers and textures of the renderer, MB", &TradeFigures::gpu_mb},
+        {"process MB", "most memory of the process, MB", &TradeFigures::rss_mb}};
+    return axes;
+}
 
 const std::vector<TradeMeasure>& trade_measures() {
     static const std::vector<TradeMeasure> measures = {
@@ -283,11 +295,11 @@ std::string xml_text(const std::string& text) {
 }
 
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
-                        const TradeMeasure& measure) {
+                        const TradeMeasure& measure, const TradeAxis& axis) {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\">\n{}{}</svg>\n", kWidth,
         kHeight, kWidth, kStyle,
-        Chart(results, scene, measure)
+        Chart(results, scene, measure, axis)
             .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
 }
 
@@ -304,7 +316,7 @@ std::string trade_svg(const std::vector<TradeResult>& results, const TradeContex
     for (const std::string& scene : scenes) {
         svg += fmt::format(
             "<g transform=\"translate(0 {})\">\n{}</g>\n", top,
-            Chart(results, scene, measure)
+            Chart(results, scene, measure, trade_axes().front())
                 .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
         top += kHeight;
     }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/gpu/memory.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
@@ -244,6 +245,8 @@ MotionFigures Measurement::measure(Motion motion, const MotionCase& one) {
             figures.worst_rise = std::max(figures.worst_rise, figures.by_frame[i] / figures.by_frame[i - 1]);
         }
     }
+    figures.software = context->info().software;
+    figures.gpu_mb = 1e-6 * static_cast<double>(gpu::allocated_bytes());
     figures.nan_count = app.world().resource<Renderer>().frame->nan_count() +
                         app.world().resource<gi::ActiveTechnique>().technique->statistics(false).nan_count;
     return figures;

@@ -1,6 +1,7 @@
 // Figures as JSON: what a finished point leaves behind.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
@@ -32,7 +33,12 @@ constexpr std::pair<const char*, double TradeFigures::*> kNumbers[] = {
     {"photons_stored", &TradeFigures::photons_stored},
     {"photons_lost", &TradeFigures::photons_lost},
     {"gpu_mb", &TradeFigures::gpu_mb},
+    {"rss_mb", &TradeFigures::rss_mb},
     {"nan_count", &TradeFigures::nan_count}};
+
+double median(std::vector<double> values) {
+    return spread_of(std::move(values)).median;
+}
 
 }  // namespace
 
@@ -60,11 +66,43 @@ TradeFigures figures_from_json(const std::string& json, const std::string& sourc
         for (const auto& [name, member] : kNumbers) {
             figures.*member = root.at(name);
         }
+        figures.relrmse_least = figures.relrmse_most = figures.relrmse;
         figures.renderer = root.at("renderer");
     } catch (const ordered_json::exception& error) {
         throw InputError(source, "", fmt::format("is no finished point: {}", error.what()));
     }
     return figures;
+}
+
+TradeResult over_seeds(const std::vector<TradeResult>& of_seeds) {
+    TradeResult result = of_seeds.front();
+    for (const TradeResult& one : of_seeds) {
+        if (!one.measured()) {
+            result.lost = one.lost;
+            return result;
+        }
+    }
+    const auto all = [&](const auto& value) {
+        std::vector<double> values;
+        for (const TradeResult& one : of_seeds) {
+            values.push_back(value(one.figures));
+        }
+        return values;
+    };
+    TradeFigures& f = result.figures;
+    for (const auto& [name, member] : kSpreads) {
+        for (double Spread::*part : {&Spread::median, &Spread::p95, &Spread::min}) {
+            f.*member.*part = median(all([&](const TradeFigures& one) { return one.*member.*part; }));
+        }
+    }
+    for (const auto& [name, member] : kNumbers) {
+        f.*member = median(all([&](const TradeFigures& one) { return one.*member; }));
+    }
+    const std::vector<double> errors = all([](const TradeFigures& one) { return one.relrmse; });
+    f.seeds = static_cast<double>(errors.size());
+    f.relrmse_least = std::ranges::min(errors);
+    f.relrmse_most = std::ranges::max(errors);
+    return result;
 }
 
 }  // namespace lanthorn::workbench

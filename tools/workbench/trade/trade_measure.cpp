@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "engine/gpu/memory.h"
 #include "lanthorn/core/colour.h"
@@ -24,7 +25,7 @@ namespace lanthorn::workbench {
 namespace {
 
 // Of another sequence than the references', which a path point must not share.
-constexpr int kPathPointSeed = 2;
+constexpr int kAfterPathSeed = 1;
 constexpr double kLightStep = 0.002;  // a frame, of the scene's diagonal, as `measure flicker` has it
 
 // Times of each measured frame.
@@ -96,6 +97,18 @@ class ChangingLight {
     int left_;
 };
 
+// VmHWM: the most that was in memory of this program alone. What getrusage() says may be that of the process
+// which started it.
+double most_resident_mb() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmHWM:")) {
+            return 1.024e-3 * std::stod(line.substr(6));
+        }
+    }
+    return 0;
+}
+
 TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
     std::unique_ptr<gpu::Context> context;  // before what draws in it
     const ListedScene listed = listed_scene(point.scene, job.view);
@@ -132,12 +145,13 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     view.figures.photons_lost = static_cast<double>(statistics.of<gi::PhotonStatistics>().lost);
     view.figures.nan_count = static_cast<double>(renderer.nan_count() + statistics.nan_count);
     view.figures.gpu_mb = static_cast<double>(gpu::allocated_bytes()) * 1e-6;
+    view.figures.rss_mb = most_resident_mb();
     view.figures.renderer = context->info().renderer;
     return view;
 }
 
 TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settings settings) {
-    settings.set<int>("gi.seed", kPathPointSeed);
+    settings.set<int>("gi.seed", settings.get<int>("gi.seed") + kAfterPathSeed);
     const ListedScene listed = listed_scene(point.scene, job.view);
     const SceneData scene = load_scene(listed.file, listed.view);
     const auto ignore = [](double) {};
@@ -158,6 +172,7 @@ TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settin
     view.figures.gi_cpu = spread_of({cpu});
     view.figures.cost_ms = cpu;
     view.figures.nan_count = static_cast<double>(timed.nan_count);
+    view.figures.rss_mb = most_resident_mb();
     view.figures.renderer = "Embree";
     view.indirect = std::move(timed.images.front());
     view.final = std::move(shown.images.front());

@@ -61,7 +61,8 @@ Spread spread_of(std::vector<double> values) {
     return {median, values[rank - 1], values.front()};
 }
 
-std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error) {
+std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error,
+                               double TradeFigures::*cost) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < results.size(); ++i) {
         if (results[i].measured()) {
@@ -70,7 +71,7 @@ std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double T
     }
     std::ranges::sort(order, {}, [&](std::size_t i) {
         const TradeResult& r = results[i];
-        return std::tuple(r.point.scene, r.figures.cost_ms, r.figures.*error);
+        return std::tuple(r.point.scene, r.figures.*cost, r.figures.*error);
     });
     std::vector<bool> front(results.size(), false);
     const TradeResult* best = nullptr;
@@ -78,7 +79,7 @@ std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double T
         const TradeResult& r = results[i];
         const bool other_scene = best == nullptr || best->point.scene != r.point.scene;
         const bool equal = !other_scene && r.figures.*error == best->figures.*error &&
-                           r.figures.cost_ms == best->figures.cost_ms;
+                           r.figures.*cost == best->figures.*cost;
         if (other_scene || equal || r.figures.*error < best->figures.*error) {
             front[i] = true;
             best = &r;

@@ -2,6 +2,7 @@
 // indirect light before any technique is asked. How a technique decides lies with it (emc/emc_plan.h).
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,20 +37,26 @@ std::string plan_json(const GiPlan& plan);
 // Why a scene has no indirect light.
 enum class Unlit { no, no_geometry, no_light, nothing_reflects };
 
+// Estimated shares, 0..1, of the light that a scene emits which leave its surfaces after the first, second,
+// ... reflection.
+using CarriedLight = std::array<float, 8>;
+
 // What bounds a scene's indirect light.
 struct LightBounds {
     Unlit unlit = Unlit::no;
-    float albedo = 0;    // of the brightest diffuse surface, 0..1
-    bool lamps = false;  // something else than the sky shines
+    float albedo = 0;        // of the brightest diffuse surface, 0..1
+    bool lamps = false;      // something else than the sky shines
+    CarriedLight carried{};  // of a scene with indirect light
 };
 
-// O(instances + lights), no memory.
+// O(instances x 16 + lights).
 LightBounds light_bounds(const FrameScene& scene);
 // One line.
 std::string_view words(Unlit unlit);
 
-// How many of `limit` bounces can still matter, at least 1: light after b of them is at most the brightest
-// albedo^b of what was emitted.
-int useful_bounces(float albedo, int limit);
+// How many of `limit` reflections can still matter, at least 1: those that carry more than a 500th of the
+// light. `before`: how many there were in the frame before, 0 without one; they are given up where they carry
+// less than half of that, so that light which comes and goes about it does not switch one on and off.
+int useful_bounces(const CarriedLight& carried, int limit, int before = 0);
 
 }  // namespace lanthorn::gi

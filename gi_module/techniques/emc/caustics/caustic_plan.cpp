@@ -1,4 +1,5 @@
 #include "gi_module/shared/caustics/caustic_aim.h"
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/techniques/emc/emc_plan.h"
 #include "lanthorn/emc/emc_settings.h"
 
@@ -62,9 +63,11 @@ void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, 
     }
     plan.caustics = true;
     const auto other = kept.caustics.other(plan.now);
-    const bool trace = kept.caustics.due(plan.now);
+    const bool rule = s.of<PlanRules>().caustics;
+    const bool trace = kept.caustics.due(plan.now) || !rule;
     plan.keep_caustics = other == Input::lights || other == Input::emission;
-    plan.set(Pass::caustic_photons, trace, why_photons(kept, plan.now));
+    plan.set(Pass::caustic_photons, trace,
+             kept.caustics.due(plan.now) || rule ? why_photons(kept, plan.now) : Reason::rule_is_off);
     photons += trace ? 1 : 0;
 
     const auto picture = kept.caustic_image.other(plan.now);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/techniques/emc/emc_plan.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/lit_maps/lit_photons.h"
@@ -28,31 +29,37 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     using Input = EmcInput;
     constexpr int kFrames = RememberedHits::kFrames;
     const auto& e = s.of<EmcSettings>();
+    const auto& rules = s.of<PlanRules>();
     const EmcStamps::Versions& now = plan.now;
     const bool sensors = !scene.sensors.empty();
     const bool surfaces = kept.lit_texels.due(now);
-    const bool light = surfaces || kept.lit_light.due(now);
+    plan.lit_bounces =
+        e.gather_endless ? planned_bounces(s, plan.carried, kEndlessBounces, kept.lit_bounces) : plan.bounces;
+    const bool other_bounces = kept.lit_bounces != 0 && kept.lit_bounces != plan.lit_bounces;
+    const bool other_light = surfaces || other_bounces || kept.lit_light.due(now);
+    const bool light = other_light || !rules.light;
     const bool view = kept.image.due(now);
     const auto differs = [&](Input input) { return kept.lit_light.differs(input, now); };
     const bool photons = e.gather_source == GatherSource::photons;
-    plan.lit_bounces = e.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
     const bool indirect = plan.lit_bounces > 1 || scene.sky;
+    // Rays that served nobody for a while have not followed what moved.
+    const bool resumed = kept.lit_bounces == 1 && plan.lit_bounces > 1;
     const bool by_photons = photons && plan.lit_bounces > 1 && plan.lamps;
     const bool by_rays = indirect && (!photons || scene.sky);
     const bool new_photons = kept.lit_photons.due(now);
-    plan.texel_frames = surfaces ? 0 : kept.texel_frames;
+    plan.texel_frames = surfaces || resumed ? 0 : kept.texel_frames;
     plan.light_frames = light || new_photons ? 0 : kept.light_frames;
     const bool trace_lit = by_photons && plan.light_frames < LitPhotons::kFrames;
 
     LitWork& lit = plan.lit;
-    lit.forget = kept.lit_rays.due(now);
+    lit.forget = kept.lit_rays.due(now) || resumed;
     lit.from_dark = differs(Input::darkness);
     lit.look = surfaces;
     lit.look_all = lit.forget || kept.materials.due(now) || kept.maps.differs(Input::pattern, now);
     lit.light = light;
     // Where things alone have moved, light falls otherwise near them alone.
-    lit.light_all = differs(Input::lights) || differs(Input::emission) || differs(Input::darkness) ||
-                    !kept.maps.differs(Input::geometry, now);
+    lit.light_all = other_bounces || differs(Input::lights) || differs(Input::emission) ||
+                    differs(Input::darkness) || !kept.maps.differs(Input::geometry, now) || !rules.light;
     lit.sky_apart = photons && scene.sky.has_value();
     lit.shoot = by_rays && plan.texel_frames < kFrames;
     lit.photon_bounces = !by_photons ? 0 : e.gather_endless ? plan.lit_bounces : plan.bounces - 1;
@@ -72,7 +79,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool trace = sensors && kept.photons.due(now);
     // With endless bounces light still changes a little after its sources have.
     const bool goes_on = by_rays && e.gather_endless && kept.light_frames < kFrames;
-    const bool gather = light || goes_on || trace_lit || lit.shoot || points.shoot;
+    const bool other_picture = light || goes_on || trace_lit || lit.shoot || points.shoot;
+    const bool gather = other_picture || (!rules.picture && s.accumulate == 1);
 
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
         plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
@@ -85,18 +93,20 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
              : plan.light_frames == 0 ? Reason::texels_count_photons
                                       : Reason::more_photons);
     plan.set(Pass::lit_maps, light || goes_on || trace_lit || lit.shoot,
-             surfaces    ? Reason::surfaces_changed
-             : light     ? Reason::lights_shade_anew
-             : lit.shoot ? Reason::texels_shoot
-             : goes_on   ? Reason::light_goes_on
-             : trace_lit ? Reason::more_photons
-                         : Reason::lit_maps_hold);
+             surfaces      ? Reason::surfaces_changed
+             : other_light ? Reason::lights_shade_anew
+             : lit.shoot   ? Reason::texels_shoot
+             : goes_on     ? Reason::light_goes_on
+             : trace_lit   ? Reason::more_photons
+             : light       ? Reason::rule_is_off
+                           : Reason::lit_maps_hold);
     plan.set(Pass::gather, gather,
-             surfaces       ? Reason::surfaces_changed
-             : view         ? Reason::another_view
-             : points.shoot ? Reason::points_shoot
-             : gather       ? Reason::hits_are_shaded_anew
-                            : Reason::image_holds);
+             surfaces        ? Reason::surfaces_changed
+             : view          ? Reason::another_view
+             : points.shoot  ? Reason::points_shoot
+             : other_picture ? Reason::hits_are_shaded_anew
+             : gather        ? Reason::rule_is_off
+                             : Reason::image_holds);
     plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
     plan.set(Pass::splats, false, Reason::rays_instead);
     plan.set(Pass::glossy_splats, false, Reason::rays_instead);

@@ -66,7 +66,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
 
 bool EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                const GiSettings& settings) {
-    const MapCentres::Changes changes = chosen_.exchange(settings.of<EmcSettings>().count);
+    const MapCentres::Changes changes = chosen_.exchange(settings);
     for (const int place : changes.replaced) {
         const auto i = static_cast<std::size_t>(place);
         const auto slot = static_cast<std::size_t>(slot_of_[i]);
@@ -172,10 +172,13 @@ void EnvironmentMaps::add(int maps, const FrameScene& scene, const render::GpuSc
     redraw(scene, gpu_scene);
 }
 
-void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gpu_scene) {
+void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gpu_scene, bool all) {
     std::vector<int> in_use = slot_of_;
     if (fading()) {
         in_use.push_back(spare_slot_);
+    }
+    if (all) {
+        std::ranges::for_each(in_use, [&](int slot) { maps_->place(slot, maps_->centre(slot)); });
     }
     maps_->update(scene, gpu_scene, in_use, 0, sight_);
 }

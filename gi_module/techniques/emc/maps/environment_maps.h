@@ -64,8 +64,8 @@ class EnvironmentMaps {
     bool reserve(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                  const UnseenSurvey& survey);
 
-    // Brings every map in use up to date: geometry has changed.
-    void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
+    // Brings every map in use up to date: geometry has changed. `all`: also what shows nothing new.
+    void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene, bool all = false);
 
     // One frame further in a fade, if one is under way. It takes no longer than from one exchange to the
     // next.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "gi_module/shared/plan_rules.h"
 #include "gi_module/techniques/emc/maps/candidates.h"
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "gi_module/techniques/emc/maps/scene_bulk.h"
@@ -128,10 +129,17 @@ double MapCentres::usable_area(const Coverage& coverage, int candidate) const {
     return open(coverage) ? area : area * 1e-6;
 }
 
+double MapCentres::negligible_area(const GiSettings& settings) {
+    constexpr double kNegligible = 1e-4;
+    constexpr double kNone = -1;  // one that adds nothing is drawn, too
+    return settings.of<PlanRules>().count ? kNegligible : kNone;
+}
+
 void MapCentres::choose_maps(const GiSettings& settings) {
     const MeasureCoverage measure = open_area();
     const int available = static_cast<int>(candidates_.size());
-    selected_ = greedy_selection(available, settings.of<EmcSettings>().count, kNegligibleArea, measure);
+    selected_ =
+        greedy_selection(available, settings.of<EmcSettings>().count, negligible_area(settings), measure);
     statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
 }
 

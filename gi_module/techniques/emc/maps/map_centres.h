@@ -69,7 +69,7 @@ class MapCentres {
         bool added = false;         // one more, at the end
         bool none() const { return faded < 0 && !added; }
     };
-    Changes exchange(int k);
+    Changes exchange(const GiSettings& settings);
 
     // Tries centres near places that the picture's rays have met and no map shows; the best ones are
     // reserved, if they are worth it, beside those of the selection. They stay until others are worth more.
@@ -115,7 +115,8 @@ class MapCentres {
     // After the candidates the meter has reserved centres in use, then those that are tried.
     static constexpr int kMostReserved = 2;
     static constexpr int kTrials = 8;
-    static constexpr double kNegligibleArea = 1e-4;  // of the first map's: a map that adds less is not drawn
+    // Of the first map's area: a map that adds less is not drawn.
+    static double negligible_area(const GiSettings& settings);
 
     CoverageMeter meter_;
     Aabb bulk_;  // that candidates fill

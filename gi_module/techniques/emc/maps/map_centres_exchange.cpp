@@ -106,7 +106,7 @@ void MapCentres::ask() {
     }
 }
 
-MapCentres::Changes MapCentres::exchange(int k) {
+MapCentres::Changes MapCentres::exchange(const GiSettings& settings) {
     ++statistics_.updates;
     // What was asked of other members is not answered; reserved ones may have joined.
     std::vector<int> asked = judged_;
@@ -116,8 +116,9 @@ MapCentres::Changes MapCentres::exchange(int k) {
     }
     const int candidates = static_cast<int>(candidates_.size());
     Changes changes;
+    const int k = settings.of<EmcSettings>().count;
     if (static_cast<int>(selected_.size() - reserved_.size()) < k &&
-        is_to_grow(judged_, own_, candidates, kNegligibleArea * largest_)) {
+        is_to_grow(judged_, own_, candidates, negligible_area(settings) * largest_)) {
         changes.added = true;
         selected_.push_back(judged_.back());
     } else {

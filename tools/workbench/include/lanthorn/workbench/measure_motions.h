@@ -64,6 +64,8 @@ struct MotionFigures {
     // Milliseconds, medians of the second half of the frames; cut: of the last frame.
     double gi = 0, gi_cpu = 0, direct = 0, direct_cpu = 0, over_direct = 0, over_direct_cpu = 0;
     std::map<std::string, FrameCost::Pass> gi_passes;  // without those within them
+    bool software = true;                              // the rasteriser: the processor draws
+    double gpu_mb = 0;  // of the renderer's buffers and textures, after the last frame
     std::uint64_t nan_count = 0;
 };
 

@@ -48,7 +48,10 @@ struct TradeFigures {
     double reference_noise = 0;  // relRMSE of the reference of the same bounces against the truth
     double photons_stored = 0, photons_lost = 0;
     double gpu_mb = 0;
+    double rss_mb = 0;  // the most that the point's process had in memory until its last frame was shown
     double nan_count = 0;
+    // Over how many seeds all these are medians, and the least and the largest relrmse among them.
+    double seeds = 1, relrmse_least = 0, relrmse_most = 0;
     std::string renderer;  // GL_RENDERER; "Embree" for path
 };
 
@@ -63,6 +66,10 @@ struct TradeResult {
     // Whether there are figures.
     bool measured() const { return lost.empty(); }
 };
+
+// One point from the same point measured with several seeds, at least one: the median of each figure, the
+// spread of relrmse; the first's picture and renderer. Lost if one is.
+TradeResult over_seeds(const std::vector<TradeResult>& of_seeds);
 
 // Figures as a JSON object, indented, with a line break at its end.
 std::string figures_json(const TradeFigures& figures);
@@ -94,8 +101,9 @@ TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema);
 // Throws InputError for a sweep without points.
 std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema);
 
-// Which results no other of the same scene betters: by cost and error (a member of TradeFigures), one at
+// Which results no other of the same scene betters: by cost and error (members of TradeFigures), one at
 // least strictly. Lost points never are. O(n log n).
-std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error);
+std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error,
+                               double TradeFigures::*cost = &TradeFigures::cost_ms);
 
 }  // namespace lanthorn::workbench

@@ -1,0 +1,252 @@
+// lanthorn measure plan SCENE... -o DIR: each rule of the plan on and off.
+#include "tools/lanthorn/measure/plan_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "engine/build_info/build_info.h"
+#include "engine/core/json.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/choice.h"
+#include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/measure_motions.h"
+#include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/warnings.h"
+#include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/measure/plan_figures.h"
+#include "tools/workbench/scene/stopping.h"
+
+namespace lanthorn::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::vector<std::string> scenes, motions = {"rest", "lamp", "walk", "box"};
+    SettingsChoice settings;
+    SceneView view;
+    std::string size = "192x192", output;
+    int frames = 24, rounds = 3, spp = 128;
+    bool json = false;
+};
+
+MotionJob job_of(const Options& options) {
+    MotionJob job;
+    job.size = parse_size("--size", options.size, 1, kLargestPicture);
+    job.frames = options.frames;
+    for (const std::string& name : options.motions) {
+        job.motions.push_back(
+            static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin()));
+    }
+    return job;
+}
+
+// All rules on; each off; all off.
+std::vector<MotionCase> cases_of(const Options& options, const SettingsSchema& schema) {
+    Settings planned = measured_settings(schema);
+    options.settings.apply_to(planned);
+    std::vector<MotionCase> cases = {{"planned", planned}};
+    Settings everything = planned;
+    for (const RuleSwitch& rule : rule_switches()) {
+        Settings off = planned;
+        off.set<bool>(rule.setting, false);
+        everything.set<bool>(rule.setting, false);
+        cases.push_back({rule.setting, std::move(off)});
+    }
+    cases.push_back({"everything on", std::move(everything)});
+    return cases;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+// Of what each round found: medians of times; errors and memory are the same in all.
+PlanScene over_rounds(const std::string& name,
+                      const std::vector<std::vector<std::vector<MotionFigures>>>& rounds) {
+    PlanScene scene;
+    scene.name = name;
+    const auto& first = rounds.front();
+    scene.cases.resize(first.size());
+    for (std::size_t m = 0; m < first.front().size(); ++m) {
+        if (!first.front()[m].lacking.empty()) {
+            continue;
+        }
+        scene.motions.emplace_back(kMotionNames[static_cast<std::size_t>(first.front()[m].motion)]);
+        for (std::size_t c = 0; c < first.size(); ++c) {
+            const auto all = [&](double MotionFigures::*member) {
+                std::vector<double> values;
+                for (const auto& round : rounds) {
+                    values.push_back(round[c][m].*member);
+                }
+                return median(std::move(values));
+            };
+            const MotionFigures& f = first[c][m];
+            scene.cases[c].push_back({all(f.software ? &MotionFigures::gi_cpu : &MotionFigures::gi),
+                                      all(f.software ? &MotionFigures::direct_cpu : &MotionFigures::direct),
+                                      f.error.relrmse, f.gpu_mb});
+        }
+    }
+    if (scene.motions.empty()) {
+        throw InputError(name, "", "has nothing that moves, expected one of the motions to be possible");
+    }
+    return scene;
+}
+
+// The files of a run: what is measured of a scene is kept.
+class PlanFolder {
+  public:
+    PlanFolder(const Options& options, const MotionJob& job) : folder_(options.output) {
+        key_ = ordered_json{{"size", {job.size.x, job.size.y}},
+                            {"frames", job.frames},
+                            {"rounds", options.rounds},
+                            {"spp", options.spp},
+                            {"motions", options.motions},
+                            {"preset", options.settings.preset},
+                            {"set", options.settings.set},
+                            {"commit", kCommit},
+                            {"build", kBuildType}};
+        if (!folder_.empty()) {
+            std::error_code error;
+            fs::create_directories(folder_, error);
+            if (error) {
+                throw InputError(folder_.string(), "", "cannot be made: " + error.message());
+            }
+        }
+    }
+
+    std::string references() const {
+        return folder_.empty() ? std::string() : (folder_ / "references").string();
+    }
+    // What an earlier run found, by the same measurement.
+    std::optional<PlanScene> kept(const std::string& name) const {
+        std::ifstream stream(file(name), std::ios::binary);
+        if (folder_.empty() || !stream) {
+            return {};
+        }
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        try {
+            const ordered_json json = parse_ordered_json(text, file(name).string());
+            return json.value("measurement", ordered_json()) == key_
+                       ? std::optional(plan_from_json(json, file(name).string()))
+                       : std::nullopt;
+        } catch (const InputError&) {
+            return {};  // damaged: measured again
+        }
+    }
+    void keep(const PlanScene& scene) const {
+        if (!folder_.empty()) {
+            ordered_json json = plan_json(scene);
+            json["measurement"] = key_;
+            write_file(file(scene.name), json.dump(2) + '\n');
+        }
+    }
+    void write(const std::vector<PlanScene>& scenes) const {
+        if (!folder_.empty()) {
+            write_file(folder_ / "plan.md", plan_markdown(scenes));
+            write_file(folder_ / "plan.json", plan_json(scenes).dump(2) + '\n');
+        }
+    }
+
+  private:
+    fs::path file(const std::string& name) const { return folder_ / ("scene-" + name + ".json"); }
+
+    fs::path folder_;
+    ordered_json key_;
+};
+
+ExitCode run(const Options& options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    const MotionJob job = job_of(options);
+    const std::vector<MotionCase> cases = cases_of(options, schema);
+    const PlanFolder folder(options, job);
+    ReferencePairs references(folder.references(), options.spp);
+    const auto rounds = static_cast<std::size_t>(options.rounds);
+    Progress progress("measuring", options.scenes.size() * rounds * cases.size() * job.motions.size());
+    std::uint64_t steps = 0;
+    std::vector<PlanScene> scenes;
+    const StopSignal stop;
+    for (const std::string& text : options.scenes) {
+        const ListedScene listed = listed_scene(text, options.view);
+        if (std::optional<PlanScene> kept = folder.kept(listed.name)) {
+            scenes.push_back(std::move(*kept));
+            progress.update(steps += rounds * cases.size() * job.motions.size());
+            continue;
+        }
+        const MotionScene scene{listed.name, tell_warnings(listed.file, load_scene(listed.file, listed.view)),
+                                listed.view};
+        std::vector<std::vector<std::vector<MotionFigures>>> of_rounds;
+        for (int round = 0; round < options.rounds; ++round) {
+            of_rounds.push_back(measure_motions(scene, cases, job, references, [&] {
+                progress.update(++steps);
+                stop_if_asked("measure", "the scenes that are done are kept where -o says");
+            }));
+        }
+        scenes.push_back(over_rounds(listed.name, of_rounds));
+        folder.keep(scenes.back());
+    }
+    folder.write(scenes);
+    if (options.json) {
+        fmt::print("{}\n", plan_json(scenes).dump(2));
+    } else {
+        fmt::print("{}", plan_markdown(scenes));
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_measure_plan(CLI::App& measure) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = measure.add_subcommand("plan",
+                                               "Each rule by which the plan leaves work out, on and off: "
+                                               "milliseconds of processor time, error against "
+                                               "path, memory; and all on against all off (docs/plan.md).");
+    command
+        ->add_option("SCENE", options->scenes,
+                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
+        ->required();
+    command->add_option("-o,--output", options->output,
+                        "folder for plan.md, plan.json and, beside them, each scene's figures and "
+                        "references: the same command "
+                        "again measures only what is missing");
+    command
+        ->add_option(
+            "--motion", options->motions,
+            "rest, lamp, dim, walk, pan, box, figure (default: rest, lamp, walk, box), separated by commas")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"rest", "lamp", "dim", "walk", "pan", "box", "figure"}));
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--frames", options->frames, "frames of each motion; the second half is measured")
+        ->check(CLI::Range(kChanges + 1, 100000))
+        ->capture_default_str();
+    command
+        ->add_option("--rounds", options->rounds,
+                     "how often all cases are measured, one after the other; times are medians")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--spp", options->spp, "samples a pixel of the references")
+        ->check(CLI::Range(2, 1000000))
+        ->capture_default_str();
+    add_moment_options(*command, options->view, "at which all stands but what moves (default: 0)");
+    add_settings_options(*command, options->settings);
+    command->add_flag("--json", options->json, "print each scene's figures as one JSON object");
+    return [options] { return run(*options); };
+}
+
+}  // namespace lanthorn::tools
