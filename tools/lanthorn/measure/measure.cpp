@@ -1,5 +1,5 @@
-// lanthorn measure hits|coverage|flicker|energy|effects|motions|photons|why|contracts SCENE: what an image
-// cannot tell of the indirect light.
+// lanthorn measure hits|coverage|flicker|energy|effects|motions|estimate|budget|photons|why|contracts SCENE:
+// what an image cannot tell of the indirect light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -15,7 +15,9 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/measure/budget_command.h"
 #include "tools/lanthorn/measure/contracts_command.h"
+#include "tools/lanthorn/measure/estimate_command.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 #include "tools/lanthorn/measure/photons_command.h"
@@ -211,7 +213,14 @@ Command add_measure(CLI::App& app) {
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
     const Command why = add_measure_why(*command), contracts = add_measure_contracts(*command);
-    return [options, command, motions, photons, why, contracts] {
+    const Command estimate = add_measure_estimate(*command), budget = add_measure_budget(*command);
+    return [options, command, motions, photons, why, contracts, estimate, budget] {
+        if (command->got_subcommand("budget")) {
+            return budget();
+        }
+        if (command->got_subcommand("estimate")) {
+            return estimate();
+        }
         if (command->got_subcommand("contracts")) {
             return contracts();
         }
@@ -231,7 +240,7 @@ Command add_measure(CLI::App& app) {
         }
         throw InputError(
             "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, "
-            "photons, why or contracts");
+            "estimate, budget, photons, why or contracts");
     };
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
 namespace lanthorn::tools {
