@@ -19,7 +19,8 @@ constexpr double kJudged = 0.8;  // of the frames stay within the budget: the re
 constexpr double kAim = 0.96;    // of the budget, when something is lowered
 constexpr double kRoom = 0.93;   // of the budget, that what is raised may take
 constexpr double kSoonest = 2000, kLatest = 64'000;  // milliseconds
-constexpr double kKept = 8000;     // milliseconds: what was raised and holds for so long was right
+constexpr double kKept = 8000;  // milliseconds: what was raised and holds for so long was right
+constexpr double kMostDistrust = 3;
 constexpr double kLongest = 1000;  // milliseconds of a frame that count as waited: a machine that stood still
                                    // has learnt nothing meanwhile
 constexpr std::size_t kErrors = 4;    // that are looked at
@@ -53,6 +54,7 @@ void BudgetControl::set(const Wish& wished, BudgetLadder ladder) {
     since_ = 0;
     wait_ = kSoonest;
     raised_ = false;
+    distrust_ = 1;
     disturb();
 }
 
@@ -166,7 +168,8 @@ void BudgetControl::frame(const Frame& frame) {
 
 // Whether the time is so short that nothing else is asked.
 bool BudgetControl::decide_time() {
-    const double now = busy(kJudged);
+    // Few frames can tell that most of them are late, not that a fifth is.
+    const double now = busy(frames_.size() < kFrames ? 0.5 : kJudged);
     if (wish_.ms == 0 || now <= kTolerance * wish_.ms) {
         return false;
     }
@@ -174,7 +177,9 @@ bool BudgetControl::decide_time() {
         return true;
     }
     if (raised_) {
-        wait_ = since_ < kKept ? std::min(2 * wait_, kLatest) : kSoonest;
+        const bool kept = since_ >= kKept;
+        wait_ = kept ? kSoonest : std::min(2 * wait_, kLatest);
+        distrust_ = kept ? 1 : std::clamp(distrust_ * now / foretold_, 1.0, kMostDistrust);
     }
     std::size_t to = rung_ + 1;
     while (to + 1 < ladder_.rungs.size() && predicted_ms(to) > kAim * wish_.ms) {
@@ -192,12 +197,13 @@ void BudgetControl::raise() {
         return;
     }
     std::size_t to = rung_;
-    while (to > 0 && predicted_ms(to - 1) <= kRoom * wish_.ms) {
+    while (to > 0 && distrust_ * predicted_ms(to - 1) <= kRoom * wish_.ms) {
         --to;
     }
     if (to != rung_) {
         raised_ = true;
         const double now = busy(kJudged), expected = predicted_ms(to);
+        foretold_ = expected;
         go_to(to, fmt::format("{:.3g} ms of {:.3g}: room for {:.3g}", now, wish_.ms, expected));
     }
 }
@@ -217,6 +223,7 @@ void BudgetControl::decide_error() {
         }
         if (to != rung_) {
             raised_ = true;
+            foretold_ = predicted_ms(to);
             const double expected = predicted_error(to);
             go_to(to, fmt::format("error {:.3g} of {:.3g}: {:.3g} expected", *now, wish_.error, expected));
         }

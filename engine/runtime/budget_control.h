@@ -98,6 +98,8 @@ class BudgetControl {
     double since_ = 0;     // milliseconds since the last change
     double wait_ = 0;      // milliseconds until more is tried
     bool raised_ = false;  // the last change was up
+    double foretold_ = 1;  // milliseconds that it was to take
+    double distrust_ = 1;  // by how much what was foretold of raised rungs has been too little
     std::int64_t changes_ = 0;
     std::deque<Decision> decisions_;
 };
