@@ -4,8 +4,27 @@
 #include <string_view>
 
 #include "game/rules/actions.h"
+#include "gi_module/quality_ladder.h"
+#include "lanthorn/gi/gi_plugin.h"
 
 namespace lanthorn::game {
+
+namespace {
+
+// What is spared of the preset's picture where it takes too long: its light, then its pixels.
+BudgetLadder ladder_of(const std::string& preset, ivec2 size) {
+    SettingsSchema schema;
+    gi::declare_settings(schema);
+    Settings settings(schema);
+    settings.apply_preset(preset);
+    BudgetLadder ladder = gi::quality_ladder(settings, size, true);
+    for (BudgetRung& rung : ladder.rungs) {
+        rung.preset = preset;
+    }
+    return ladder;
+}
+
+}  // namespace
 
 PlayerSettings::PlayerSettings(const Options& options, shell::Window& window, const shell::Say& say)
     : window_(window),
@@ -39,8 +58,8 @@ void PlayerSettings::choose(const input::Bindings& chosen) {
 }
 
 void PlayerSettings::apply() {
-    window_.budget().set(picture_.frame_budget(), picture_.preset());
     window_.set_picture_size(picture_.size());
+    window_.budget().set(picture_.frame_budget(), ladder_of(picture_.preset(), window_.whole_size()));
     window_.devices().set_look(preferences().mouse, preferences().invert_look);
     window_.devices().controls().set_sticks(preferences().stick, preferences().dead_zone);
 }

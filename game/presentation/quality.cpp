@@ -35,7 +35,11 @@ void Quality::choose(const shell::Spending& spending) {
     }
     // Beams are seen on their way, but not at the price of steps in the picture.
     settings_.set("render.air.scattering", spending.preset == "low" ? 0.0f : kAir);
-    const double points = spending.scale * spending.scale * gi::EmcSettings().gather_points;
+    settings_.set("gi.gather.points", gi::EmcSettings().gather_points);
+    for (const std::string& assignment : spending.set) {
+        settings_.set_from_text(assignment);
+    }
+    const double points = spending.scale * spending.scale * settings_.get<int>("gi.gather.points");
     settings_.set("gi.gather.points", std::max(1, static_cast<int>(std::lround(points))));
     for (const std::string& assignment : set_) {
         settings_.set_from_text(assignment);

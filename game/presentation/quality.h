@@ -20,8 +20,10 @@ class Quality {
     void draw(App& app) const;
     void draw(App& app, const shell::Spending& spending);  // the same after choose()
 
-    // A preset, light gathered from as many points fewer as the picture has fewer pixels (gi.gather.points,
-    // which else keeps their number in smaller pictures), and the command line's --set on top.
+    // A preset and what is set on top of it, light gathered from as many points fewer as the picture has
+    // fewer pixels (gi.gather.points, which else keeps their number in smaller pictures), and the command
+    // line's
+    // --set on top.
     void choose(const shell::Spending& spending);
 
   private:

@@ -1,3 +1,4 @@
+#include "gi_module/techniques/emc/emc_ladder.h"
 #include "gi_module/techniques/emc/emc_technique.h"
 #include "gi_module/techniques/emc/emc_views.h"
 #include "lanthorn/emc/emc.h"
@@ -31,6 +32,7 @@ TechniqueKind add_emc() {
     emc.declare = declare_emc_settings;
     emc.make = []() -> std::unique_ptr<Technique> { return std::make_unique<EmcTechnique>(); };
     emc.first_plan = first_emc_plan;
+    emc.ladder = emc_ladder;
     return add_technique(std::move(emc));
 }
 

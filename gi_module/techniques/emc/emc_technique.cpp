@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gi_module/techniques/emc/gather/error_model.h"
 #include "gi_module/techniques/emc/maps/surroundings.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gpu/context.h"
@@ -393,6 +394,26 @@ gpu::Texture EmcTechnique::debug_view(std::string_view name, const render::Frame
     const bool hits = name == "hits";
     return draw_points(hits ? gather_.known() : gather_.unfiltered(lit_maps_), gather_.grid(),
                        gather_.stride(), inputs.gbuffer.size());
+}
+
+ErrorEstimate EmcTechnique::estimate_error() {
+    ErrorEstimate estimate;
+    if (idle() || !gathers() || irradiance_ == nullptr) {
+        return estimate;
+    }
+    const auto& e = settings_.of<EmcSettings>();
+    const GatherError::Parts parts = gather_.error_parts(lit_maps_);
+    estimate.known = parts.known;
+    estimate.relrmse_parts = parts.relrmse;
+    estimate.local_parts = parts.local;
+    estimate.texels = std::min(e.gather_texels, e.resolution);
+    estimate.photons = plan_.by_photons() ? lit_maps_.photons().mean_units() * e.gather_photons : 0;
+    if (irradiance_ != &gather_.picture()) {
+        still_gather_.refine(estimate.relrmse_parts);
+        still_gather_.refine(estimate.local_parts);
+    }
+    apply_error_model(estimate);
+    return estimate;
 }
 
 GiStatistics EmcTechnique::statistics(bool count_photons) {

@@ -32,6 +32,7 @@ class EmcTechnique final : public Technique {
     void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
+    ErrorEstimate estimate_error() override;
     GiStatistics statistics(bool count_photons) override;
 
     const EnvironmentMaps& maps() const { return maps_; }

@@ -351,8 +351,15 @@ void draw_status(EditorState& state, double now) {
     const PictureFacts& facts = state.picture.facts();
     field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");
     field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
-    if (state.error) {
-        const bool old = state.error_of_frame != state.picture.frames();
+    const bool measured = state.error && state.error_of_frame == state.picture.frames();
+    if (!measured && state.estimate) {
+        field(fmt::format("error about {:.0f} % ({:.0f} to {:.0f})", 100 * state.estimate->value,
+                          100 * state.estimate->low, 100 * state.estimate->high),
+              colour::words,
+              "the local error of the indirect light as the picture itself tells it; measured against the "
+              "path tracer's while the picture rests");
+    } else if (state.error) {
+        const bool old = !measured;
         if (field(
                 (old ? "error was " : "error ") + error_words(*state.error),
                 old ? colour::faint : colour::words,

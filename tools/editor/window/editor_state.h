@@ -13,6 +13,7 @@
 
 #include "lanthorn/core/image.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/gi/statistics.h"
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/core/edit_warnings.h"
 #include "tools/editor/core/lights_table.h"
@@ -104,6 +105,7 @@ struct EditorState {
     Box game_button;  // where the badge asks for it
     std::optional<WhyShown> why;
     // How wrong the indirect light is: of the picture after so many frames.
+    std::optional<gi::EstimatedError> estimate;  // local error of a picture that is not measured yet
     std::optional<editor::ErrorMap> error;
     int error_of_frame = -1;
     bool error_shown = false;  // as a tint over the picture

@@ -16,6 +16,7 @@ namespace lanthorn::edit_window {
 namespace {
 
 constexpr double kMovesEvery = 0.03;  // seconds between panels drawn in a 3D frame for a pointer that moved
+constexpr int kEstimateEvery = 4;     // pictures under a hand of which one has its error estimated
 constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
 
 // OpenGL's state that Dear ImGui's drawing expects and does not keep: for panels that are drawn between two
@@ -201,6 +202,11 @@ void EditorWindow::State::draw_picture() {
             facts.quality = e.pace.quality(now());
         }
         viewport->picture_drawn();
+        if (!e.pace.due() || e.picture.frames() % kEstimateEvery == 0) {
+            const gi::ErrorEstimate estimate =
+                gi::technique_of(session.app(), ViewId::first).estimate_error();
+            e.estimate = estimate.known ? std::optional(estimate.local) : std::nullopt;
+        }
         if (!e.pace.due() && e.settings.text("gi.technique") != "path") {
             viewport->read_light();
             if (e.why && e.why->version != session.version() && e.why->pose == session.pose()) {

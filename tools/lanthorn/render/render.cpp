@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 
+#include "engine/core/json.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
@@ -42,6 +44,7 @@ struct Options {
     SettingsChoice settings;
     std::optional<int> seed, spp;
     std::optional<float> time_limit, target_noise;
+    std::string play_budget;
     RenderJob job;
     bool list_settings = false, list_aovs = false, print_schedule = false;
 };
@@ -140,6 +143,15 @@ void check_path_options(const Options& options, bool path) {
     }
 }
 
+void check_budget(const Options& options, bool path) {
+    if (options.job.budget.any() && path) {
+        throw InputError(
+            "--budget-ms, --target-error, --play-budget: found --technique path, expected one that makes "
+            "frames; "
+            "it has --time-limit and --target-noise");
+    }
+}
+
 // Later wins: preset, file, --set, the options of their own.
 void configure(Settings& settings, const Options& options) {
     options.settings.apply_to(settings);
@@ -187,6 +199,26 @@ void tell_transport(const RenderOutcome& outcome, const Settings& settings) {
     }
 }
 
+// Decisions that a run before wrote with --stats.
+void read_budget(BudgetWish& wish, const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) {
+        throw InputError(file, "", "cannot be read, expected what --stats writes with --budget-ms");
+    }
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const nlohmann::json root = parse_json(text, file);
+    try {
+        for (const auto& step : root.at("budget").at("steps")) {
+            wish.played.emplace_back(step.at("frame").get<std::int64_t>(), step.at("to").get<std::size_t>());
+        }
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(file, "budget.steps", "found none, expected what --stats writes with --budget-ms");
+    }
+    if (wish.played.empty()) {
+        wish.played.emplace_back(0, 0);  // nothing was decided
+    }
+}
+
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
     const RenderJob& job = options.job;
     if (technique_of(settings).is_reference && job.debug_views.empty()) {
@@ -230,7 +262,10 @@ ExitCode render(Options options) {
     }
     RenderJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
-    job.timing = !options.stats.empty() || !options.trace.empty();
+    if (!options.play_budget.empty()) {
+        read_budget(job.budget, options.play_budget);
+    }
+    job.timing = !options.stats.empty() || !options.trace.empty() || job.budget.any();
     std::vector<Output> outputs = plan_outputs(options, technique_of(settings));
     std::ranges::stable_partition(outputs, [](const Output& o) { return o.kind != nullptr; });
     job.aovs.clear();
@@ -242,6 +277,7 @@ ExitCode render(Options options) {
         }
     }
     check_path_options(options, technique_of(settings).is_reference);
+    check_budget(options, technique_of(settings).is_reference);
     const std::optional<CameraPose> pose =
         options.pose.empty() ? std::nullopt : std::optional(pose_of(options.pose));
     for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
@@ -290,13 +326,18 @@ ExitCode render(Options options) {
         fmt::print(stderr, "lanthorn: warning: {} values were NaN or infinite and became 0\n",
                    outcome.nan_count);
     }
+    if (job.budget.any()) {
+        fmt::print("budget: {}\n", outcome.budget.verdict);
+    }
     if (outcome.interrupted) {
         fmt::print(
             stderr,
             "lanthorn: warning: stopped by {}; what was done until then is written, marked as unfinished\n",
             StopSignal::name());
     }
-    return outcome.interrupted ? static_cast<ExitCode>(StopSignal::exit_code()) : ExitCode::ok;
+    return outcome.interrupted     ? static_cast<ExitCode>(StopSignal::exit_code())
+           : !outcome.budget.holds ? ExitCode::check_failed
+                                   : ExitCode::ok;
 }
 
 }  // namespace
@@ -337,6 +378,20 @@ Command add_render(CLI::App& app) {
                         "path: stop once the image's own relative noise is below this (path.target_noise)");
     command->add_option("--checkpoint", options->checkpoint,
                         "path: file to continue from if it is there, kept up to date and left behind");
+    command
+        ->add_option("--budget-ms", options->job.budget.ms,
+                     "milliseconds that a frame may take: settings, then pixels are spared to keep it; exit "
+                     "code 1 where "
+                     "the last frames do not")
+        ->check(number_between(1e-6, 1e9));
+    command
+        ->add_option("--target-error", options->job.budget.error,
+                     "indirect relRMSE, as it is estimated, that suffices; with --budget-ms time comes first")
+        ->check(number_between(1e-6, 1e6));
+    command->add_flag("--budget-processor", options->job.budget.processor,
+                      "--budget-ms is of processor time of all threads, which other programs hardly alter");
+    command->add_option("--play-budget", options->play_budget,
+                        "decide as a run before did, by the file that it wrote with --stats");
     command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
     command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
     command->add_flag("--list-aovs", options->list_aovs, "print the debug views of each technique");

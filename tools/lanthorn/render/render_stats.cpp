@@ -73,6 +73,47 @@ ordered_json system_times(const std::vector<FrameTiming>& frames) {
     return result;
 }
 
+// What the picture's error is likely to be, and what says so; null where the technique does not know.
+ordered_json error_estimate(const gi::ErrorEstimate& estimate) {
+    if (!estimate.known) {
+        return nullptr;
+    }
+    const auto figure = [](const gi::EstimatedError& error, const gi::ErrorParts& parts) {
+        return ordered_json{{"value", error.value},
+                            {"low", error.low},
+                            {"high", error.high},
+                            {"parts",
+                             {{"noise", parts.noise},
+                              {"blur", parts.blur},
+                              {"bend", parts.bend},
+                              {"contrast", parts.contrast},
+                              {"unknown", parts.unknown}}}};
+    };
+    return {{"relrmse", figure(estimate.relrmse, estimate.relrmse_parts)},
+            {"local", figure(estimate.local, estimate.local_parts)},
+            {"photons", estimate.photons},
+            {"texels", estimate.texels}};
+}
+
+ordered_json budget_json(const BudgetWish& wish, const BudgetOutcome& outcome) {
+    ordered_json steps = ordered_json::array();
+    for (const BudgetStep& step : outcome.steps) {
+        steps.push_back({{"frame", step.frame},
+                         {"from", step.from},
+                         {"to", step.to},
+                         {"name", step.name},
+                         {"scale", step.scale},
+                         {"why", step.why}});
+    }
+    return {{"ms", wish.ms},
+            {"error", wish.error},
+            {"processor", wish.processor},
+            {"holds", outcome.holds},
+            {"verdict", outcome.verdict},
+            {"ladder", outcome.ladder},
+            {"steps", std::move(steps)}};
+}
+
 double peak_rss_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -131,6 +172,10 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                       {"points", gather.points},
                       {"blind_points", gather.blind_points},
                       {"unknown_share", gather.unknown_share}};
+    if (job.budget.any()) {
+        root["budget"] = budget_json(job.budget, outcome.budget);
+    }
+    root["error_estimate"] = error_estimate(gi.of<gi::ErrorEstimate>());
     const gi::TechniqueEntry* technique = gi::find_technique(outcome.technique);
     if (technique != nullptr && technique->statistics_json != nullptr) {
         root[technique->name] = parse_ordered_json(technique->statistics_json(gi), "own JSON");

@@ -53,7 +53,4 @@ std::string trade_html(const std::vector<TradeResult>& results, const TradeConte
 // In the order of their first point.
 std::vector<std::string> scenes_of(const std::vector<TradeResult>& results);
 
-// `text` with what XML reads as markup replaced.
-std::string xml_text(const std::string& text);
-
 }  // namespace lanthorn::tools

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/trade/label_places.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
@@ -15,42 +16,6 @@ constexpr double kWidth = 900, kHeight = 480;
 constexpr double kLeft = 64, kRight = 190, kTop = 40, kBottom = 52;
 constexpr const char* kColours[] = {"#f28e2b", "#4e79a7", "#59a14f", "#b07aa1", "#e15759",
                                     "#76b7b2", "#9c755f", "#edc948", "#ff9da7", "#8c8c8c"};
-
-// A logarithmic axis over a range of values, in pixels.
-class LogAxis {
-  public:
-    LogAxis(double low, double high, double from, double to)
-        : low_(std::log10(low)), high_(std::log10(high)), from_(from), to_(to) {}
-
-    double operator()(double value) const {
-        return from_ + (to_ - from_) * (std::log10(value) - low_) / (high_ - low_);
-    }
-    // 1, 2 and 5 times the powers of ten within the range.
-    std::vector<double> ticks() const {
-        std::vector<double> list;
-        for (int e = static_cast<int>(std::floor(low_)); e <= static_cast<int>(std::ceil(high_)); ++e) {
-            for (const double m : {1.0, 2.0, 5.0}) {
-                const double value = m * std::pow(10.0, e);
-                if (std::log10(value) >= low_ && std::log10(value) <= high_) {
-                    list.push_back(value);
-                }
-            }
-        }
-        return list;
-    }
-
-  private:
-    double low_, high_, from_, to_;
-};
-
-struct Range {
-    double low = INFINITY, high = 0;
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    LogAxis axis(double from, double to) const { return {low / 1.15, high * 1.15, from, to}; }
-};
 
 class Chart {
   public:
@@ -71,7 +36,7 @@ class Chart {
     }
 
     std::string draw(const std::string& title) const {
-        Range costs, errors;
+        LogRange costs, errors;
         for (const std::size_t i : shown_) {
             costs.add(cost(i));
             errors.add(error(i));
@@ -280,18 +245,6 @@ std::vector<std::string> scenes_of(const std::vector<TradeResult>& results) {
         }
     }
     return scenes;
-}
-
-std::string xml_text(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '<'   ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '&' ? "&amp;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    }
-    return out;
 }
 
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,

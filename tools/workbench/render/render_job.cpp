@@ -12,6 +12,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
+#include "tools/workbench/render/budget_run.h"
 
 namespace lanthorn::workbench {
 
@@ -82,6 +83,13 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     gi::add_picture_plugins(app, settings, job.timing);
     app.view().size = job.size;
 
+    std::optional<BudgetRun> budget;
+    if (job.budget.any()) {
+        budget.emplace(
+            app, settings, job.size, job.budget,
+            std::ranges::all_of(job.aovs, [](render::Aov aov) { return aov == render::Aov::final; }) &&
+                job.debug_views.empty());
+    }
     Clock::time_point first{};
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         const Clock::time_point start = Clock::now();
@@ -89,15 +97,25 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         if (i == job.warmup) {
             first = start;
         }
+        if (budget) {
+            budget->begin_frame();
+        }
         shown.show_at(shown_time(job, job.warmup + job.frames - 1 - i));
+        if (budget) {
+            budget->estimate();
+        }
         if (!job.timing) {
             glFinish();
         }
         auto passes = app.world().resource<Renderer>().timer->end_frame();
+        const double ms = milliseconds(Clock::now() - start);
+        const double cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+        if (budget) {
+            budget->end_frame(ms, cpu_ms, passes);
+        }
         if (i >= job.warmup) {
-            outcome.frames.push_back({milliseconds(start - first), milliseconds(Clock::now() - start),
-                                      std::move(passes), app.frame_schedule().report(),
-                                      1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC});
+            outcome.frames.push_back(
+                {milliseconds(start - first), ms, std::move(passes), app.frame_schedule().report(), cpu_ms});
         }
         frame_done(i + 1);
         if (StopSignal::asked() && i + 1 < job.warmup + job.frames) {
@@ -121,7 +139,14 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         outcome.images.back().metadata = {
             {"technique", outcome.technique}, {"scene", scene_number}, {"view", view}};
     }
-    outcome.gi = app.world().resource<gi::ActiveTechnique>().technique->statistics(true);
+    gi::Technique& technique = gi::technique_of(app, ViewId::first);
+    outcome.gi = technique.statistics(true);
+    if (job.timing) {
+        outcome.gi.add(technique.estimate_error());
+    }
+    if (budget) {
+        outcome.budget = budget->outcome();
+    }
     outcome.nan_count = renderer.nan_count() + outcome.gi.nan_count;
     outcome.gpu_bytes = gpu::allocated_bytes();
     return outcome;

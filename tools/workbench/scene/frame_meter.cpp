@@ -44,6 +44,7 @@ class MeteredTechnique final : public gi::Technique {
         technique_->add_irradiance(inputs, targets);
     }
     std::uint64_t light_version() const override { return technique_->light_version(); }
+    gi::ErrorEstimate estimate_error() override { return technique_->estimate_error(); }
     gi::GiStatistics statistics(bool count_photons) override { return technique_->statistics(count_photons); }
 
   private:

@@ -10,6 +10,37 @@
 
 namespace lanthorn::gi {
 
+// What is known of how far the indirect light of a picture lies off the truth, without a reference
+// (docs/error-estimate.md). Squares, relative: of light over the picture's mean for `relrmse`; for `local`
+// of luminance, each place over the root of its square and a hundredth of the mean's.
+struct ErrorParts {
+    double noise = 0;     // of the rays, after the filter: by the two halves of what each point knows
+    double blur = 0;      // what the filter has moved, noise taken off
+    double bend = 0;      // of light from point to point of the grid, beside a straight line, noise taken off
+    double contrast = 0;  // variance of what single rays bring
+    double unknown = 0;   // rays that met what no map shows
+
+    // All of them times `factor`.
+    ErrorParts operator*(double factor) const {
+        return {noise * factor, blur * factor, bend * factor, contrast * factor, unknown * factor};
+    }
+};
+
+// An error that is estimated: four pictures in five have one between `low` and `high`.
+struct EstimatedError {
+    double value = 0, low = 0, high = 0;
+};
+
+// Of the picture of one frame: indirect relRMSE and local error, as `lanthorn measure` has them.
+struct ErrorEstimate {
+    bool known = false;  // false: the technique does not say, or shows no light
+    EstimatedError relrmse, local;
+    // What they are made of.
+    ErrorParts relrmse_parts, local_parts;
+    double photons = 0;  // behind the light on the maps; 0: no photon lights them
+    double texels = 0;   // a side of a lit map's face
+};
+
 // Statistics of one frame: its plan, how many values were NaN or infinite and therefore left out, and parts
 // of the technique's own types.
 class GiStatistics {

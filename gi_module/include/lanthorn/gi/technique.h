@@ -13,6 +13,10 @@
 #include "lanthorn/gi/statistics.h"
 #include "lanthorn/render/frame.h"
 
+namespace lanthorn {
+struct BudgetLadder;
+}  // namespace lanthorn
+
 namespace lanthorn::render {
 struct SensorTargets;
 }  // namespace lanthorn::render
@@ -55,6 +59,10 @@ class Technique {
     virtual gpu::Texture debug_view(std::string_view /*name*/, const render::FrameInputs& /*inputs*/) {
         return {};
     }
+
+    // How far the last frame's picture is likely to be off, after indirect(). Waits for the GPU; costs about
+    // what shading and filtering the picture once more do. Alters nothing that frames are made from.
+    virtual ErrorEstimate estimate_error() { return {}; }
 
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;
@@ -99,6 +107,9 @@ struct TechniqueEntry {
     void (*declare)(SettingList& list) = nullptr;  // its settings; null: none
     std::unique_ptr<Technique> (*make)() = nullptr;
     GiPlan (*first_plan)(const FrameScene& scene, const GiSettings& settings) = nullptr;
+    // What it spares first, from these settings down, where a picture of `size` pixels takes too long, by
+    // groups of passes (gi_module/quality_ladder.h); null: nothing but pixels.
+    BudgetLadder (*ladder)(const Settings& settings, ivec2 size) = nullptr;
     // Its own statistics, an object; null: none.
     std::string (*statistics_json)(const GiStatistics& statistics) = nullptr;
 };

@@ -41,8 +41,7 @@ void Gather::place(const render::FrameInputs& inputs) {
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     // Once most is remembered the wide levels only blur.
     const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
-    return filter_.run({grid_, points_.points(), irradiance, hits_.known(), links_.cuts()},
-                       points_.rays() >= 4 ? narrow : 0);
+    return filter_.run(filtered_points(irradiance), points_.rays() >= 4 ? narrow : 0);
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
@@ -97,7 +96,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             const gpu::PassTimer::Scope links(inputs.timer, "gather_links");
             links_.find(inputs, maps, settings, points_.points(), grid_);
         }
-        gathered = &filter(*gathered);
+        gathered = filtered_ = &filter(*gathered);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     // A picture that looks through other places of its pixels in each frame (render.upscale) keeps its
@@ -128,6 +127,16 @@ std::vector<vec4> Gather::known() const {
 
 std::vector<vec4> Gather::unfiltered(const LitMaps& lit) {
     return hits_.shade(points_, lit.radiosity()).read<vec4>(static_cast<std::size_t>(points_.capacity()));
+}
+
+GatherError::Parts Gather::error_parts(const LitMaps& lit) {
+    if (filtered_ == nullptr) {
+        return {};
+    }
+    const gpu::Buffer& halves = hits_.halves(points_, lit.radiosity());
+    const gpu::Buffer& irradiance = hits_.irradiance();
+    const gpu::Buffer& noise = filter_.again(filtered_points(irradiance), halves);
+    return error_.measure({grid_, points_.points(), irradiance, *filtered_, halves, noise});
 }
 
 std::uint64_t Gather::remembered() const {

@@ -2,6 +2,7 @@
 // with remembered hits; filtered over surfaces and up-sampled.
 #pragma once
 
+#include "gi_module/techniques/emc/gather/gather_error.h"
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 #include "gi_module/techniques/emc/gather/gather_links.h"
 #include "gi_module/techniques/emc/gather/gather_upsampling.h"
@@ -32,6 +33,8 @@ class Gather {
     // By point of the grid, for inspection; wait for the GPU. Rays behind it; what these gather, lux.
     std::vector<vec4> known() const;
     std::vector<vec4> unfiltered(const LitMaps& lit);
+    // Of the last irradiance(), the lit maps as they were for it; waits for the GPU.
+    GatherError::Parts error_parts(const LitMaps& lit);
     ivec2 grid() const { return grid_; }
     int stride() const { return stride_; }  // pixels
     // Rays behind the picture; waits for the GPU.
@@ -41,6 +44,9 @@ class Gather {
     void allocate(ivec2 size, const GiSettings& settings);
     void place(const render::FrameInputs& inputs);
     const gpu::Buffer& filter(const gpu::Buffer& irradiance);
+    GatherFilter::Points filtered_points(const gpu::Buffer& irradiance) const {
+        return {grid_, points_.points(), irradiance, hits_.known(), links_.cuts()};
+    }
 
     ivec2 size_{0};
     int stride_ = 0;
@@ -53,6 +59,8 @@ class Gather {
     int frames_ = 0;
     GatherLinks links_;
     GatherFilter filter_;
+    const gpu::Buffer* filtered_ = nullptr;  // of the last irradiance()
+    GatherError error_;
     UnseenPlaces unseen_;
     gpu::Program points_program_;
 };

@@ -47,8 +47,9 @@ void GatherFilter::use(const gpu::Program& program, const Points& points, const 
 
 const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
     allocate(points.grid.x * points.grid.y);
-    const int pooled = narrow < 1 ? 2 : 1;
-    for (int level = 0; level < pooled; ++level) {
+    narrow_ = narrow;
+    pooled_ = narrow < 1 ? 2 : 1;
+    for (int level = 0; level < pooled_; ++level) {
         const gpu::Program& program = prefilter_programs_[level];
         use(program, points, points.irradiance);
         guide_view_.bind(2, guides_[0], GL_RG32F);
@@ -58,18 +59,32 @@ const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
         dispatch_items(count_);
         wait_for_shaders();
     }
-    const gpu::Buffer* from = &points.irradiance;
-    for (int level = 0; level < (narrow < 1 ? kWideLevels : kNarrowLevels); ++level) {
+    return levels(points, points.irradiance, filtered_);
+}
+
+const gpu::Buffer& GatherFilter::again(const Points& points, const gpu::Buffer& values) {
+    for (gpu::Buffer& filtered : again_) {
+        if (filtered.bytes() != filtered_[0].bytes()) {
+            filtered = gpu::Buffer(filtered_[0].bytes());
+        }
+    }
+    return levels(points, values, again_);
+}
+
+const gpu::Buffer& GatherFilter::levels(const Points& points, const gpu::Buffer& values,
+                                        gpu::Buffer (&filtered)[2]) {
+    const gpu::Buffer* from = &values;
+    for (int level = 0; level < (narrow_ < 1 ? kWideLevels : kNarrowLevels); ++level) {
         use(filter_program_, points, *from);
-        guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
+        guide_view_.bind(2, guides_[pooled_ - 1], GL_RG32F);
         filter_program_.set("guide", 2);
         filter_program_.set("level", level);
-        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow));
-        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow);
-        filtered_[level % 2].bind_storage(4);
+        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow_));
+        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow_);
+        filtered[level % 2].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();
-        from = &filtered_[level % 2];
+        from = &filtered[level % 2];
     }
     return *from;
 }

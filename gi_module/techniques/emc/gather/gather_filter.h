@@ -21,15 +21,21 @@ class GatherFilter {
     // is enough for a settled picture; between them the picture sharpens without a step. Cost: 9 points a
     // point and level, 2 levels where it is 1, else 4.
     const gpu::Buffer& run(const Points& points, float narrow);
+    // Other values of the same points, with the weights and the `narrow` of the last run(): vec4 by point, a
+    // < 0: nothing is known. What noise becomes.
+    const gpu::Buffer& again(const Points& points, const gpu::Buffer& values);
 
   private:
     void allocate(int count);
+    const gpu::Buffer& levels(const Points& points, const gpu::Buffer& values, gpu::Buffer (&filtered)[2]);
     void use(const gpu::Program& program, const Points& points, const gpu::Buffer& irradiance);
 
     int count_ = 0;
     gpu::Program prefilter_programs_[2], filter_program_;
     gpu::Buffer guides_[2];
-    gpu::Buffer filtered_[2];
+    gpu::Buffer filtered_[2], again_[2];
+    int pooled_ = 1;  // levels of the guide, of the last run()
+    float narrow_ = 0;
     gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_, cuts_view_;
 };
 

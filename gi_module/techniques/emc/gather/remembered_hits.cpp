@@ -86,8 +86,11 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         defines);
     there_program_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_there.comp"},
                                   {defines[2], "KEYS " + std::to_string(kKeysAtOnce) + "u"});
-    shade_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_shade.comp"},
-                          {defines[0], "SLOTS " + std::to_string(slots()), "RAYS " + std::to_string(rays_)});
+    shade_ = gpu::Program(
+        {"gi_module/techniques/emc/gather/remembered_shade.comp"},
+        {defines[0], "SLOTS " + std::to_string(slots()), "RAYS " + std::to_string(rays_), "HALVES 0"});
+    shade_halves_ = {};
+    halves_ = {};
     limbs_.emplace(
         std::vector<std::filesystem::path>{"gi_module/techniques/emc/gather/remembered_limbs.comp"}, defines);
     const auto keys = static_cast<std::size_t>(capacity_);
@@ -486,27 +489,44 @@ void RememberedHits::sort() {
     wait_for_shaders();
 }
 
-const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu::Buffer& radiosity) {
-    use(shade_);
+void RememberedHits::shade_by(const gpu::Program& program, const SurfacePoints& points,
+                              const gpu::Buffer& radiosity) {
+    use(program);
     radiosity_view_.bind(0, radiosity, GL_RGBA32F);
-    shade_.set("radiosity", 0);
+    program.set("radiosity", 0);
     if (of_ == Of::picture) {
         served_view_.bind(1, served_, GL_R32UI);
         offsets_view_.bind(2, offsets_.sums(), GL_R32UI);
         counts_view_.bind(3, counts_, GL_R32UI);
-        shade_.set("served", 1);
-        shade_.set("offsets", 2);
-        shade_.set("counts", 3);
+        program.set("served", 1);
+        program.set("offsets", 2);
+        program.set("counts", 3);
     } else {
         keys_view_.bind(1, points.keys(), GL_R32UI);
-        shade_.set("keys", 1);
+        program.set("keys", 1);
     }
     points.bind_storage();
     irradiance_.bind_storage(1);
     known_.bind_storage(2);
     points.dispatch();
     wait_for_shaders();
+}
+
+const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu::Buffer& radiosity) {
+    shade_by(shade_, points, radiosity);
     return irradiance_;
+}
+
+const gpu::Buffer& RememberedHits::halves(const SurfacePoints& points, const gpu::Buffer& radiosity) {
+    if (!shade_halves_) {
+        shade_halves_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_shade.comp"},
+                                     {"IN_PICTURE 1", "SLOTS " + std::to_string(slots()),
+                                      "RAYS " + std::to_string(rays_), "HALVES 1"});
+        halves_ = gpu::Buffer(irradiance_.bytes());
+    }
+    halves_.bind_storage(6);
+    shade_by(shade_halves_, points, radiosity);
+    return halves_;
 }
 
 std::uint64_t RememberedHits::shot() const {

@@ -54,6 +54,11 @@ class RememberedHits {
     // fetches a ray.
     const gpu::Buffer& shade(const SurfacePoints& points, const gpu::Buffer& radiosity);
 
+    // The same, of the picture, and by point half of what separates the rays of even and odd numbers, lux;
+    // a: the share of what they met that is known, -1: nothing is. Its square is the variance of the mean,
+    // as far as the halves know nothing of each other.
+    const gpu::Buffer& halves(const SurfacePoints& points, const gpu::Buffer& radiosity);
+
     // Of exact rays: which of the close hits of `rays` some ray holds, where it ends now.
     void collect(const RayScene& rays);
 
@@ -61,6 +66,7 @@ class RememberedHits {
     // picture: by start, the point it serves first), `remembered`, `starts` and `flights`.
     void bind(const gpu::Program& program);
 
+    const gpu::Buffer& irradiance() const { return irradiance_; }  // of the last shade()
     const gpu::Buffer& known() const { return known_; }  // float by point: rays behind its irradiance
     // Rays of the last shoot(); waits for the GPU.
     std::uint64_t shot() const;
@@ -81,6 +87,7 @@ class RememberedHits {
     void dispatch_listed(const EntryList& list);
     void sort();
     void use(const gpu::Program& program);
+    void shade_by(const gpu::Program& program, const SurfacePoints& points, const gpu::Buffer& radiosity);
     const char* span(const char* of_picture, const char* of_maps) const {
         return of_ == Of::lit_maps ? of_maps : of_picture;
     }
@@ -110,7 +117,7 @@ class RememberedHits {
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
-    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_, shade_halves_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -128,6 +135,7 @@ class RememberedHits {
     EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;
+    gpu::Buffer halves_;  // vec4 by point, of the last halves()
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
         counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
         lit_points_view_, parts_view_;

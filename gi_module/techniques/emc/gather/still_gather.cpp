@@ -12,6 +12,14 @@ namespace {
 // The gathered picture errs about as much as the filtered mean of so many rays a pixel.
 constexpr double kFirstRays = 48;
 
+// Of its own rays, beside the gathered picture.
+double own_weight(double rays) {
+    return rays / (rays + kFirstRays);
+}
+
+// What the two levels of the narrow filter divide noise by, where light is even.
+constexpr double kFilteredPixels = 9;
+
 // The pass's pixel in a cell of stride x stride pixels: all of them in turn, near ones far apart in time.
 ivec2 pixel_of(int pass, int stride) {
     const int pixels = stride * stride;
@@ -82,16 +90,24 @@ void StillGather::add(const gpu::Buffer& irradiance) {
 }
 
 void StillGather::show(const gpu::Texture& first, double rays) {
+    shown_rays_ = rays;
     const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_, links_.cuts()}, 1);
     show_program_.use();
     first.bind(0);
     irradiance_view_.bind(1, filtered, GL_RGBA32F);
     show_program_.set("first", 0);
     show_program_.set("irradiance", 1);
-    show_program_.set("weight", static_cast<float>(rays / (rays + kFirstRays)));
+    show_program_.set("weight", static_cast<float>(own_weight(rays)));
     picture_.bind_image(0, GL_WRITE_ONLY);
     show_program_.dispatch(size_, ivec2(8));
     wait_for_shaders();
+}
+
+void StillGather::refine(ErrorParts& parts) const {
+    const double own = own_weight(shown_rays_), first = (1 - own) * (1 - own);
+    parts.noise = first * parts.noise + own * own * parts.contrast / (shown_rays_ * kFilteredPixels);
+    parts.blur *= first;
+    parts.bend *= first;
 }
 
 const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, const RayScene& rays,

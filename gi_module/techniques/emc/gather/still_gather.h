@@ -8,6 +8,7 @@
 #include "gi_module/techniques/emc/gather/gather_links.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/lit_maps/lit_maps.h"
+#include "lanthorn/gi/statistics.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/frame.h"
 
@@ -23,6 +24,9 @@ class StillGather {
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const RayScene& rays,
                                    const gpu::Buffer& radiosity, const gpu::Texture& first, int pass,
                                    int last);
+
+    // What is known of the gathered picture's error, as it is of the last picture.
+    void refine(ErrorParts& parts) const;
 
   private:
     static constexpr int kPassesAPicture = 4;
@@ -46,6 +50,7 @@ class StillGather {
     gpu::Buffer mean_;      // vec4: of all rays so far, lux; a: mean square luminance, < 0: none
     gpu::Buffer known_;     // float: how many these are
     gpu::Texture picture_;
+    double shown_rays_ = 0;  // of a pixel, behind it
     gpu::BufferTexture irradiance_view_, rays_view_;
 };
 

@@ -49,6 +49,7 @@ class LitPhotons {
     // Irradiance in lux, vec4 by number of the coarse texel; a < 0: nothing is known.
     const gpu::Buffer& irradiance() const { return irradiance_; }
 
+    int mean_units() const { return in_mean_.units(); }  // of gi.gather.photons behind it, at most
     const PhotonSet& arrived() const { return tracing_.arrived(); }        // of the last trace()
     PhotonStatistics statistics() const { return tracing_.statistics(); }  // slow: reads all photons
     std::uint32_t bad_value_count() const { return tracing_.bad_value_count(); }

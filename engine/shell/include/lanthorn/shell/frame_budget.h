@@ -1,18 +1,24 @@
-// A time that a frame may take, and what is drawn to keep it: smaller pictures first, then a lower preset.
+// A time that a frame may take, and what is drawn to keep it.
 #pragma once
 
-#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lanthorn/core/math.h"
 
+namespace lanthorn {
+struct BudgetLadder;
+class BudgetControl;
+}  // namespace lanthorn
+
 namespace lanthorn::shell {
 
 // What is spent on a picture.
 struct Spending {
-    std::string preset;  // low, medium, high, ultra
-    double scale = 1;    // of the picture's width and height
+    std::string preset;                 // low, medium, high, ultra
+    double scale = 1;                   // of the picture's width and height
+    std::vector<std::string> set = {};  // KEY=VALUE, on top of the preset
 
     bool operator==(const Spending&) const = default;
 };
@@ -24,14 +30,21 @@ std::string usual_preset(bool software);      // "low" or "medium"
 double usual_frame_ms(bool software);         // milliseconds; 0: any time
 ivec2 usual_picture_size(bool software);      // pixels
 
-// Told of every frame, it lowers what is spent once the median is above the budget, by as much as it takes,
-// and raises it by one step when frames would stay well below after that for a while. A step that had to be
+// Told of every frame, it lowers what is spent once most are above the budget, by as much as it takes,
+// and raises it when frames would stay well below after that for a while. A step that had to be
 // taken back is tried again after twice the time, so that nothing goes up and down all the time.
 class FrameBudget {
   public:
+    FrameBudget();
+    ~FrameBudget();
+    FrameBudget(const FrameBudget&) = delete;
+    FrameBudget& operator=(const FrameBudget&) = delete;
+
     // `ms`: that a frame may take; 0: any time. `best`: the preset that is drawn where there is time for it.
-    // Starts again at the top where one of them is another than before.
+    // Spares pixels, then presets. Starts again at the top where one of them is another than before.
     void set(double ms, const std::string& best);
+    // The same with what a technique spares first (gi::budget_ladder()).
+    void set(double ms, BudgetLadder ladder);
 
     // A frame took `ms` from the one before, and kept the machine busy for `busy_ms` of that: less where it
     // waited for the screen. Cost: a sort of some thirty numbers.
@@ -39,34 +52,17 @@ class FrameBudget {
     // The next frames are no measure: a level has been loaded, the game was paused.
     void disturb();
 
-    const Spending& spending() const { return rungs_[rung_].spending; }  // from the next frame on
-    int changes() const { return changes_; }                             // so far
+    const Spending& spending() const { return spending_; }  // from the next frame on
+    int changes() const;                                    // so far
 
     static constexpr double kTolerance =
         1.03;  // of the budget: a screen's 60 pictures a second are not quite that
 
   private:
-    struct Rung {
-        Spending spending;
-        double cost = 1;  // of a frame, relative to the others
-    };
-    struct Frame {
-        double ms, busy_ms;
-    };
-    double busy(double share) const;
-    void go_to(std::size_t rung);
-    void lower();
-    void raise();
+    void follow();
 
-    double ms_ = 0;
-    std::vector<Rung> rungs_{{{"", 1}, 1}};  // dearest first
-    std::size_t rung_ = 0;
-    std::deque<Frame> frames_;  // since the last change, the newest last
-    int disturbed_ = 0;         // frames
-    double since_ = 0;          // milliseconds since the last change
-    double wait_ = 0;           // milliseconds until more is tried
-    bool raised_ = false;       // the last change was up
-    int changes_ = 0;
+    std::unique_ptr<BudgetControl> control_;
+    Spending spending_;
 };
 
 }  // namespace lanthorn::shell

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/core/error.h"
@@ -19,6 +20,33 @@
 
 namespace lanthorn::workbench {
 
+// A time or an error that frames are to keep, and how it is measured.
+struct BudgetWish {
+    double ms = 0;           // of a frame; 0: any time
+    double error = 0;        // indirect relRMSE, as it is estimated; 0: any. Time comes first
+    bool processor = false;  // `ms` is of processor time of all threads, which other programs hardly alter
+    // By frame, warm-up included: what was decided in a run before, instead of by the clock.
+    std::vector<std::pair<std::int64_t, std::size_t>> played;
+
+    // Whether anything is wished for.
+    bool any() const { return ms > 0 || error > 0 || !played.empty(); }
+};
+
+// What a budget decided.
+struct BudgetStep {
+    std::int64_t frame = 0;        // the first one that is drawn so, warm-up included
+    std::size_t from = 0, to = 0;  // rungs of the ladder
+    std::string name;              // of the last one
+    double scale = 1;              // of the picture's width and height
+    std::string why;               // one line
+};
+struct BudgetOutcome {
+    std::vector<BudgetStep> steps;
+    std::vector<std::string> ladder;  // the rungs' names
+    std::string verdict;              // one line
+    bool holds = true;                // what was wished for; true where frames are too few to tell
+};
+
 struct RenderJob {
     ivec2 size{512, 512};  // pixels
     SceneView view;        // `time` is what the last frame shows; default: frames / 60
@@ -27,6 +55,7 @@ struct RenderJob {
     std::vector<render::Aov> aovs{render::Aov::final};
     std::vector<std::string> debug_views;  // of the technique (gi/technique.h), beside them
     bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
+    BudgetWish budget;    // wants `timing`; the picture loses pixels where AOVs are `final` alone
 };
 
 // What a frame took, and each of its passes and systems.
@@ -45,6 +74,7 @@ struct RenderOutcome {
     std::vector<ImageF> images;
     std::vector<FrameTiming> frames;
     gi::GiStatistics gi;
+    BudgetOutcome budget;  // where there was one
     std::uint64_t nan_count = 0;
     std::size_t gpu_bytes = 0;
     std::uint64_t triangles = 0;  // of the last frame, over all instances; 0: not known

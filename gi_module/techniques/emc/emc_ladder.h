@@ -1,0 +1,12 @@
+// What the gather spares first.
+#pragma once
+
+#include "gi_module/quality_ladder.h"
+
+namespace lanthorn::gi {
+
+// From the settings' rays, grid, texels and photons down to the least of each, in the order of what the error
+// grows by for the time that it saves (docs/budgets.md); no rung but the first where photons are splatted.
+BudgetLadder emc_ladder(const Settings& settings, ivec2 size);
+
+}  // namespace lanthorn::gi

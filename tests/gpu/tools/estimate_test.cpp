@@ -1,0 +1,96 @@
+// Errors that are estimated without a reference, beside the true ones.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "lanthorn/workbench/all_settings.h"
+#include "tests/support/repository.h"
+#include "tools/workbench/measure/measure_estimate.h"
+
+namespace lanthorn::workbench {
+namespace estimate_test {
+
+MotionScene scene_of(const std::string& name, const std::string& camera) {
+    SceneView view;
+    view.time = 0;
+    if (!camera.empty()) {
+        view.camera = camera;
+    }
+    return {name, load_scene(support::repository_file("assets/" + name + ".glb"), view), view};
+}
+
+MotionCase with(const SettingsSchema& schema, const std::vector<std::string>& set) {
+    MotionCase result{"medium", measured_settings(schema)};
+    result.settings.apply_preset("medium");
+    result.settings.set<bool>("gi.gather.endless", false);
+    result.settings.set_from_text("gi.emc.rays=bvh");
+    for (const std::string& assignment : set) {
+        result.settings.set_from_text(assignment);
+    }
+    return result;
+}
+
+// Of scenes that the weights were not fitted to.
+TEST(ErrorEstimate, OfHeldOutScenesIsNearTheTruth) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    MotionJob job;
+    job.size = {128, 128};
+    job.frames = 18;
+    job.motions = {Motion::rest, Motion::lamp};
+    ReferencePairs references("", 128);
+    std::vector<EstimatePoint> points;
+    for (const auto& [name, camera] :
+         {std::pair<const char*, const char*>{"two-rooms", "dark"}, {"living-room", ""}, {"near-lamp", ""}}) {
+        for (EstimatePoint& point :
+             measure_estimates(scene_of(name, camera), {with(schema, {})}, job, references, [] {})) {
+            points.push_back(std::move(point));
+        }
+    }
+    for (const EstimatePoint& p : points) {
+        std::printf("%s, %s: relRMSE %.3f (%.3f to %.3f) for %.3f, local %.3f for %.3f\n", p.scene.c_str(),
+                    p.motion.c_str(), p.estimate.relrmse.value, p.estimate.relrmse.low,
+                    p.estimate.relrmse.high, p.truth.relrmse, p.estimate.local.value, p.truth.local);
+    }
+    ASSERT_GE(points.size(), 6u);
+    EXPECT_GE(share_within(points, EstimatedFigure::relrmse, 2), 0.85);
+    EXPECT_GE(share_within(points, EstimatedFigure::local, 2), 0.85);
+}
+
+// More rays have less noise, and it is noise that halves tell: four times as many, about half.
+TEST(ErrorEstimate, NoiseByHalvesFallsWithRays) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    MotionJob job;
+    job.size = {96, 96};
+    job.frames = 18;
+    job.motions = {Motion::rest};
+    ReferencePairs references("", 16);
+    const auto noise = [&](const char* rays) {
+        const std::vector<EstimatePoint> points = measure_estimates(
+            scene_of("cornell", ""), {with(schema, {std::string("gi.gather.rays=") + rays})}, job, references,
+            [] {});
+        return points.at(0).estimate.relrmse_parts.noise;
+    };
+    const double few = noise("4"), many = noise("16");
+    EXPECT_GT(few, 1.5 * many);
+    EXPECT_LT(few, 40 * many);
+}
+
+TEST(ErrorEstimate, IsNotKnownOfWhatHasNone) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    MotionJob job;
+    job.size = {32, 32};
+    job.frames = 4;
+    job.motions = {Motion::rest};
+    ReferencePairs references("", 4);
+    for (const char* set : {"gi.technique=none", "gi.emc.final=splat"}) {
+        EXPECT_TRUE(
+            measure_estimates(scene_of("cornell", ""), {with(schema, {set})}, job, references, [] {}).empty())
+            << set;
+    }
+}
+
+}  // namespace estimate_test
+}  // namespace lanthorn::workbench

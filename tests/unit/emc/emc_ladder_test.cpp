@@ -1,0 +1,87 @@
+#include "gi_module/techniques/emc/emc_ladder.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+#include "lanthorn/gi/gi_plugin.h"
+
+namespace lanthorn::gi {
+namespace emc_ladder_test {
+
+double time_of(const BudgetLadder& ladder, const BudgetRung& rung) {
+    double time = 0;
+    for (std::size_t g = 0; g < kCostGroups; ++g) {
+        time += ladder.shares[g] * rung.cost[g];
+    }
+    return time;
+}
+
+TEST(EmcLadder, EachRungIsCheaperAndWorseThanTheOneBefore) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    for (const char* preset : {"low", "medium", "high", "ultra"}) {
+        for (const ivec2 size : {ivec2(64), ivec2(256), ivec2(640, 360), ivec2(3840, 2160)}) {
+            Settings settings(schema);
+            settings.apply_preset(preset);
+            const BudgetLadder ladder = quality_ladder(settings, size, true);
+            ASSERT_GT(ladder.rungs.size(), 8u) << preset;
+            EXPECT_TRUE(ladder.rungs.front().set.empty());
+            EXPECT_NEAR(std::accumulate(ladder.shares.begin(), ladder.shares.end(), 0.0), 1, 1e-9);
+            for (std::size_t i = 1; i < ladder.rungs.size(); ++i) {
+                const BudgetRung &before = ladder.rungs[i - 1], &rung = ladder.rungs[i];
+                EXPECT_LT(time_of(ladder, rung), time_of(ladder, before)) << preset << ' ' << rung.name;
+                EXPECT_GE(rung.error, before.error) << preset << ' ' << rung.name;
+                EXPECT_LE(rung.scale, before.scale) << preset << ' ' << rung.name;
+                Settings lowered = settings;
+                for (const std::string& assignment : rung.set) {
+                    EXPECT_NO_THROW(lowered.set_from_text(assignment)) << assignment;
+                }
+            }
+            EXPECT_LT(ladder.rungs.back().scale, 0.4);
+        }
+    }
+}
+
+TEST(EmcLadder, PixelsAreSparedLastAndOnlyWhereTheyMay) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    const Settings settings(schema);
+    for (const BudgetRung& rung : quality_ladder(settings, ivec2(512), false).rungs) {
+        EXPECT_EQ(rung.scale, 1);
+    }
+}
+
+TEST(EmcLadder, SplatsAndOtherTechniquesHaveNothingButPixels) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    Settings settings(schema);
+    settings.set_from_text("gi.emc.final=splat");
+    EXPECT_EQ(quality_ladder(settings, ivec2(512), false).rungs.size(), 1u);
+    settings.set_from_text("gi.technique=none");
+    EXPECT_EQ(quality_ladder(settings, ivec2(512), false).rungs.size(), 1u);
+    EXPECT_GT(quality_ladder(settings, ivec2(512), true).rungs.size(), 4u);
+}
+
+TEST(GroupCosts, APassWithinAnotherCountsOnce) {
+    const std::vector<gpu::PassTimer::Span> passes = {{"gbuffer", 0, 5, 6},    {"lit_photons", 6, 3, 4},
+                                                      {"lit_maps", 6, 10, 14}, {"gather_rays", 17, 4, 5},
+                                                      {"gather", 17, 20, 30},  {"filter", 37, 2, 3}};
+    const std::vector<double> ms = group_costs(passes, 50, false), cpu = group_costs(passes, 80, true);
+    const auto of = [](const std::vector<double>& groups, CostGroup group) {
+        return groups[static_cast<std::size_t>(group)];
+    };
+    EXPECT_EQ(of(ms, CostGroup::pixels), 5);
+    EXPECT_EQ(of(ms, CostGroup::photons), 3);
+    EXPECT_EQ(of(ms, CostGroup::lit_maps), 7);
+    EXPECT_EQ(of(ms, CostGroup::gather), 20);
+    EXPECT_EQ(of(ms, CostGroup::filter), 2);
+    EXPECT_EQ(of(ms, CostGroup::rest), 13);
+    EXPECT_EQ(of(cpu, CostGroup::lit_maps), 10);
+    EXPECT_EQ(of(cpu, CostGroup::rest), 27);
+    EXPECT_EQ(std::accumulate(ms.begin(), ms.end(), 0.0), 50);
+}
+
+}  // namespace emc_ladder_test
+}  // namespace lanthorn::gi
