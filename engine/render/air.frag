@@ -44,6 +44,10 @@ vec2 within_cone(LightData light, AirRay ray) {
 
 // 1 where the light's map saw nothing before the point, 0 in its shadow.
 float seen_by(LightData light, vec3 point, float distance) {
+#ifdef SHARED_MAPS
+    light.position += light.map_offset;
+    if (light.type != kLightDirectional) distance = length(point - light.position);
+#endif
     int layer;
     vec2 uv;
     if (!light_map_lookup(light, point, layer, uv)) return 1.0;
@@ -89,7 +93,10 @@ void main() {
     float first = 0.125 + 0.25 * float(((tile.x ^ tile.y) & 1) * 2 + (tile.y & 1));
     AirRay ray = AirRay(camera_position + pixel_origin(at), pixel_direction(at), seen > 0.0 ? seen : reach, first);
     vec3 sum = vec3(0.0);
+#ifdef LAMP_TREES
+    LampRay target = LampRay(ray.from, ray.along, ray.far);
+#endif
 #define ADD_AIR(LIGHT) sum += along_ray(LIGHT, ray);
-    PUNCTUAL_LIGHTS(ADD_AIR)
+    PUNCTUAL_LIGHTS(ADD_AIR, target)
     out_air = vec4(sum * (scattering * 0.07957747155), ray.far);  // evenly to all sides: 1 / (4 pi)
 }

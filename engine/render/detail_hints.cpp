@@ -20,7 +20,7 @@ void add_camera(DetailHints& hints, const CameraView& view, const dvec3& origin,
 
 void add_light_maps(DetailHints& hints, const LightMaps& maps, const dvec3& origin) {
     for (const LightData& light : maps.light_data()) {
-        if (light.layers == 0) {
+        if (light.layers == 0 || light.shares_map != 0) {
             continue;
         }
         const dvec3 at = origin + dvec3(light.position);

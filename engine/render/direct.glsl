@@ -51,9 +51,13 @@ vec3 area_radiance(LightData light, LitSurface s, float traced) {
 // Radiance towards s.v, nits. `traced`: share of the specular lobe that rays follow, which bring area lights, too (share_of_rays()).
 vec3 direct_radiance(LitSurface s, float traced) {
     vec3 sum = vec3(0.0);
+#ifdef LAMP_TREES
+    float a = max(s.roughness * s.roughness, 2e-3);
+    LampTarget target = LampTarget(s.point, s.geometric, s.shading, s.v, a * a);
+#endif
 #define ADD_PUNCTUAL(LIGHT) sum += punctual_radiance(LIGHT, s);
 #define ADD_AREA(LIGHT) sum += area_radiance(LIGHT, s, traced);
-    PUNCTUAL_LIGHTS(ADD_PUNCTUAL)
+    PUNCTUAL_LIGHTS(ADD_PUNCTUAL, target)
     AREA_LIGHTS(ADD_AREA)
     return sum;
 }

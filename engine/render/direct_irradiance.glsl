@@ -17,9 +17,12 @@ vec3 irradiance_of(LightData light, const bool area, vec3 point, vec3 normal) {
 // Illuminance on a surface of unit `normal` at `point`, rgb in lux.
 vec3 direct_irradiance(vec3 point, vec3 normal) {
     vec3 sum = vec3(0.0);
+#ifdef LAMP_TREES
+    LampTarget target = matte_target(point, normal);
+#endif
 #define ADD_PUNCTUAL(LIGHT) sum += irradiance_of(LIGHT, false, point, normal);
 #define ADD_AREA(LIGHT) sum += irradiance_of(LIGHT, true, point, normal);
-    PUNCTUAL_LIGHTS(ADD_PUNCTUAL)
+    PUNCTUAL_LIGHTS(ADD_PUNCTUAL, target)
     AREA_LIGHTS(ADD_AREA)
     return sum;
 }

@@ -35,7 +35,7 @@ bool light_map_lookup(LightData light, vec3 point, out int layer, out vec2 uv) {
 // the surface seen is at origin + direction * stored distance.
 void light_map_ray(LightData light, int face, vec2 uv, out vec3 origin, out vec3 direction) {
     vec2 p = uv * 2.0 - 1.0;
-    origin = light.position;
+    origin = light.position + light.map_offset;
     if (light.type == kLightDirectional) {
         origin += (light.right * p.x + light.up * p.y) * light.extent;
         direction = light.direction;

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "engine/render/area_samples.h"
+#include "engine/render/lamp_tree.h"
+#include "engine/render/shared_maps.h"
+#include "lanthorn/core/colour.h"
 
 namespace lanthorn::render {
 
@@ -16,6 +19,9 @@ namespace {
 constexpr int kSteadyAfter = 4;
 constexpr std::size_t kMostStillBytes = std::size_t{256}
                                         << 20;  // of all still layers; faces beyond go without
+// Layers that are drawn again in one update because something moved, where lamps share maps; a light's last
+// face ends it.
+constexpr int kMostLayersAgain = 192;
 // Nothing is drawn nearer to a light than this share of the scene's diagonal or, in a large world, of so many
 // metres. Much nearer, what is clipped there lies too far outside of the picture to be clipped exactly.
 constexpr float kNear = 1e-5f;
@@ -77,18 +83,22 @@ LightData describe(const LightInstance& instance, const FrameScene& scene, int r
 }
 
 // `wanted`, halved until the maps of all lights together keep within bounds (12 bytes a texel).
-int affordable_resolution(const std::vector<LightInstance>& lights, int wanted) {
+int affordable_resolution(std::int64_t layers, int wanted) {
     constexpr std::int64_t kMostTexels = std::int64_t{1} << 25;
     constexpr int kCoarsest = 64;
-    std::int64_t layers = 0;
-    for (const LightInstance& light : lights) {
-        layers += needs_cube(light.light) ? 6 : 1;
-    }
     int resolution = wanted;
     while (resolution >= 2 * kCoarsest && layers * resolution * resolution > kMostTexels) {
         resolution /= 2;
     }
     return resolution;
+}
+
+std::int64_t layers_of(const std::vector<LightInstance>& lights) {
+    std::int64_t layers = 0;
+    for (const LightInstance& light : lights) {
+        layers += needs_cube(light.light) ? 6 : 1;
+    }
+    return layers;
 }
 
 bool same(const LightData& a, const LightData& b) {
@@ -152,20 +162,13 @@ LightMaps::LightMaps(std::uint64_t version)
 void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                        const RenderSettings& settings) {
     layers_drawn_ = 0;
-    std::vector<LightData> lights;
-    const int resolution = affordable_resolution(scene.lights, settings.shadow_resolution);
     GLint most_layers = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers);
-    std::uint32_t layers = 0;
-    for (const LightInstance& instance : scene.lights) {
-        LightData data = describe(instance, scene, resolution);
-        data.first_layer = layers;
-        if (layers + data.layers > static_cast<std::uint32_t>(most_layers)) {
-            data.layers = 0;
-        }
-        layers += data.layers;
-        lights.push_back(data);
-    }
+    const std::int64_t wanted = layers_of(scene.lights);
+    shares_maps_ = wanted > most_layers;
+    const std::int64_t layers = shares_maps_ ? most_layers : wanted;
+    const int resolution = affordable_resolution(layers, settings.shadow_resolution);
+    std::vector<LightData> lights = describe_lights(scene, resolution, most_layers);
     punctual_count_ = static_cast<int>(lights.size());
     if (emissive.version() != emissive_version_ || settings != settings_) {
         area_samples_ = make_area_samples(emissive, settings);
@@ -185,16 +188,24 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         shining_ = shining_lights(lights_);
         write_lights(shining_.lights, shining_buffer_);
     }
+    if (altered || settings.lamps_error != lamps_error_) {
+        lamps_error_ = settings.lamps_error;
+        make_trees();
+    }
     motion_.compare(scene);
     has_movers_.resize(lights_.size());
     steady_.resize(lights_.size());
     outdated_.resize(lights_.size());
     int as_before = 0;  // of the layers drawn
+    waits_.resize(lights_.size());
+    std::vector<std::size_t> due;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool fresh_map = lights_[i].type == kLightAreaSample ? fresh_area : fresh;
         const bool moved = i >= before.size() || !same_map(before[i], lights_[i]);
         const bool anew = motion_.restarted() || fresh_map || moved;
-        if (lights_[i].intensity == vec3(0)) {
+        if (lights_[i].shares_map != 0) {
+            steady_[i] = waits_[i] = 0;
+        } else if (lights_[i].intensity == vec3(0)) {
             steady_[i] = 0;
             if (anew || (motion_.changed() && !outdated_[i])) {
                 leave_out(i);
@@ -207,9 +218,14 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
             as_before += motion_.changed() ? 0 : static_cast<int>(lights_[i].layers);
         } else {
             steady_[i] = std::min(steady_[i] + 1, kSteadyAfter);
-            follow(i, scene, gpu_scene);
+            if (!shares_maps_) {
+                follow(i, scene, gpu_scene);
+            } else if (waits_[i] > 0 || sees_change(i)) {
+                due.push_back(i);
+            }
         }
     }
+    follow_most_urgent(due, scene, gpu_scene);
     if (!motion_.any_moving()) {
         punctual_.forget_stills();
         area_.forget_stills();
@@ -217,6 +233,41 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     glDisable(GL_DEPTH_TEST);
     if (altered || layers_drawn_ > as_before) {
         ++version_;
+    }
+}
+
+std::vector<LightData> LightMaps::describe_lights(const FrameScene& scene, int resolution, int most) {
+    std::vector<LightData> lights;
+    std::uint32_t layers = 0;
+    for (const LightInstance& instance : scene.lights) {
+        LightData data = describe(instance, scene, resolution);
+        data.first_layer = layers;
+        layers += data.layers;
+        lights.push_back(data);
+    }
+    if (!shares_maps_) {
+        described_.clear();
+        return lights;
+    }
+    if (std::ranges::equal(lights, described_, same)) {
+        return {lights_.begin(), lights_.begin() + punctual_count_};
+    }
+    described_ = lights;
+    share_maps(lights, lights_, static_cast<std::uint32_t>(most), resolution);
+    return lights;
+}
+
+void LightMaps::make_trees() {
+    shining_.nodes.clear();
+    if (shining_.lights.size() > kMaxUniformLights && lamps_error_ > 0) {
+        build_lamp_trees(shining_, lamps_error_);
+    }
+    const std::size_t bytes = shining_.nodes.size() * sizeof(vec4);
+    if (nodes_buffer_.bytes() < bytes) {
+        nodes_buffer_ = gpu::Buffer(bytes);
+    }
+    if (bytes > 0) {
+        nodes_buffer_.write(0, std::span<const vec4>(shining_.nodes));
     }
 }
 
@@ -285,6 +336,7 @@ void LightMaps::draw_anew(std::size_t index, const FrameScene& scene, const GpuS
     LightMapArray& maps = light.type == kLightAreaSample ? area_ : punctual_;
     prepare(index, scene, gpu_scene);
     outdated_[index] = false;
+    waits_[index] = 0;
     for (int face = 0; face < static_cast<int>(light.layers); ++face) {
         const int layer = static_cast<int>(light.first_layer) + face;
         maps.forget_still(layer);
@@ -292,6 +344,51 @@ void LightMaps::draw_anew(std::size_t index, const FrameScene& scene, const GpuS
         draw(light, face, gpu_scene, Which::all);
         has_movers_[index][static_cast<std::size_t>(face)] = seen(light, face).moving;
         ++layers_drawn_;
+    }
+}
+
+bool LightMaps::sees_change(std::size_t index) const {
+    const LightData& light = lights_[index];
+    for (int face = 0; face < static_cast<int>(light.layers); ++face) {
+        const SceneMotion::Seen now = seen(light, face);
+        if (now.left || now.rested || now.moving || now.painted ||
+            has_movers_[index][static_cast<std::size_t>(face)]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void LightMaps::follow_most_urgent(std::vector<std::size_t>& due, const FrameScene& scene,
+                                   const GpuScene& gpu_scene) {
+    if (due.empty()) {
+        return;
+    }
+    Aabb changed;
+    motion_.seen([&](const Aabb& box) {
+        changed.add(box);
+        return false;
+    });
+    const auto urgency = [&](std::size_t i) {
+        const LightData& light = lights_[i];
+        const vec3 nearest = glm::clamp(light.position, changed.lower, changed.upper);
+        const float apart = changed.empty() ? 1 : glm::distance(nearest, light.position) + 1e-3f;
+        return luminance(light.intensity) / (apart * apart) * static_cast<float>(1 + waits_[i]);
+    };
+    std::vector<std::pair<float, std::size_t>> order;
+    for (const std::size_t i : due) {
+        order.emplace_back(-urgency(i), i);
+    }
+    std::ranges::sort(order);
+    const int before = layers_drawn_;
+    for (const auto& [minus_urgency, i] : order) {
+        if (layers_drawn_ - before >= kMostLayersAgain) {
+            ++waits_[i];
+        } else if (waits_[i] > 0) {
+            draw_anew(i, scene, gpu_scene);
+        } else {
+            follow(i, scene, gpu_scene);
+        }
     }
 }
 

@@ -24,6 +24,13 @@ const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint firs
     if (few) {
         defines.push_back("UNIFORM_LIGHTS");
     }
+    const bool trees = !shining.nodes.empty();
+    if (trees) {
+        defines.push_back("LAMP_TREES");
+    }
+    if (trees || light_maps.shares_maps()) {
+        defines.push_back("SHARED_MAPS");
+    }
     for (const Kind& kind : kKinds) {
         if (shining.has(kind.kind)) {
             defines.push_back(kind.define);
@@ -32,6 +39,18 @@ const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint firs
     const gpu::Program& program = programs_.with(defines);
     for (const Kind& kind : kKinds) {
         program.set(kind.end, shining.ends[static_cast<std::size_t>(kind.kind)]);
+    }
+    if (trees) {
+        const auto end = [&](LightKind kind) { return shining.node_ends[static_cast<std::size_t>(kind)]; };
+        program.set("point_nodes_end", end(LightKind::point));
+        program.set("spot_nodes_end", end(LightKind::spot));
+        program.set("other_nodes_end", end(LightKind::other));
+        program.set("lamp_closeness", shining.closeness * shining.closeness);
+        program.set("lamp_texel", 2.0f / static_cast<float>(light_maps.resolution()));
+        nodes_.bind(kLampNodesUnit, light_maps.nodes_buffer(), GL_RGBA32F);
+        program.set("lamp_nodes", static_cast<int>(kLampNodesUnit));
+        lights_.bind(kLampNodesUnit - 1, light_maps.shining_buffer(), GL_RGBA32UI);
+        program.set("lamp_lights", static_cast<int>(kLampNodesUnit - 1));
     }
     struct Map {
         const char* name;

@@ -48,6 +48,14 @@ void declare_render_settings(SettingsSchema& schema) {
         .presets({64, 128, 256, 256})
         .cost("quadratic in MB (48 bytes a texel and point, 72 more where something moves) and in ms then")
         .docs("Side of the shadow maps of the points on emissive surfaces.");
+    schema.declare<float>("render.lamps.error")
+        .range(0.0f, 0.1f)
+        .initially(d.lamps_error)
+        .cost("0: linear in ms and lamps; else by its fourth root, and by the logarithm of their number")
+        .docs(
+            "Where a scene has more than 128 lights: how much a group of point lamps that shading takes for "
+            "one may be off, as a "
+            "share of the group's own light where nothing shades it. 0: every lamp is added up alone.");
     schema.declare<ExposureMode>("render.exposure.mode")
         .choices({"auto", "manual"})
         .initially(d.exposure_mode)
@@ -168,6 +176,7 @@ RenderSettings render_settings(const Settings& s) {
     r.area_lights_max = s.get<int>("render.area_lights.max");
     r.area_lights_samples = s.get<int>("render.area_lights.samples");
     r.area_lights_resolution = s.get<int>("render.area_lights.resolution");
+    r.lamps_error = s.get<float>("render.lamps.error");
     r.exposure_mode = s.get<ExposureMode>("render.exposure.mode");
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");

@@ -15,6 +15,7 @@ RenderSettings of_light_maps(const RenderSettings& settings) {
     result.area_lights_max = settings.area_lights_max;
     result.area_lights_samples = settings.area_lights_samples;
     result.area_lights_resolution = settings.area_lights_resolution;
+    result.lamps_error = settings.lamps_error;
     result.adaptive_detail = settings.adaptive_detail;
     return result;
 }

@@ -144,6 +144,15 @@ vec3 shadow_lifted(LightData light, float texels, vec3 point, vec3 normal, vec3 
 // How much of a point, spot or directional light reaches `point`, 0..1; `normal`: unit geometric normal there;
 // `to_light` and `distance` from punctual_illuminance().
 float punctual_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, float distance) {
+#ifdef SHARED_MAPS
+    // By another lamp's map, as that one is seen; from behind it would tell nothing.
+    light.position += light.map_offset;
+    vec3 to_map = light.position - point;
+    bool shares = light.shares_map != 0u;
+    distance = shares ? length(to_map) : distance;
+    to_light = shares ? to_map / max(distance, 1e-30) : to_light;
+    if (shares && dot(normal, to_map) <= 0.0) return 1.0;
+#endif
     vec3 lifted = shadow_lifted(light, 3.0, point, normal, to_light, distance);
     int layer;
     vec2 uv;

@@ -65,6 +65,10 @@ SceneData dragon_sized();  // a knot of 871 k triangles in a box; in no list, as
 // A wavy ground of about so many triangles under a lamp, and as many stones of 3 200 on one; in no list, too.
 SceneData wavy_ground(int triangles);
 SceneData many_stones(int count);
+// A hall with so many lamps, their light as much as that of one: of endless range, each reaching a few of its
+// neighbours, or spots.
+enum class LampKind { endless, in_range, spot };
+SceneData lamp_hall(int count, LampKind kind);
 SceneData pool();          // a tiled basin; its water is an animated height field of 54 k triangles
 SceneData glossy_floor();  // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
 const std::vector<NamedScene>& large_scenes();

@@ -123,7 +123,7 @@ void add_surfaces(std::span<const LightData> samples, std::vector<Candidate>& al
 LightPictures choose_pictures(std::span<const LightData> lights, int punctual, const Aabb& bounds, int most) {
     std::vector<Candidate> all;
     for (const LightData& light : lights.first(static_cast<std::size_t>(punctual))) {
-        if (light.layers > 0) {
+        if (light.layers > 0 && light.shares_map == 0) {
             all.push_back(of_punctual(light, bounds));
         }
     }

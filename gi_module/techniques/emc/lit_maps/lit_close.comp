@@ -23,6 +23,9 @@ uniform int close_first;
 
 // What the light's map shows at the point; 0 where it shows something else or nothing.
 vec3 colour_of(LightData light, vec3 point) {
+#ifdef SHARED_MAPS
+    light.position += light.map_offset;
+#endif
     int layer;
     vec2 uv;
     bool inside = light_map_lookup(light, point, layer, uv);
@@ -51,9 +54,12 @@ void main() {
     int place = shown ? int(texel) : 0;
     vec3 own = texelFetch(lit_albedo, place).rgb;
     vec3 sum = vec3(0.0);
+#ifdef LAMP_TREES
+    LampTarget target = matte_target(x, n);
+#endif
 #define ADD_COLOURED(LIGHT) { LightData light = LIGHT; sum += irradiance_of(light, false, x, n) * (shown ? own : colour_of(light, x)); }
 #define ADD_SHOWN(LIGHT) sum += irradiance_of(LIGHT, true, x, n) * (shown ? own : vec3(0.0));
-    PUNCTUAL_LIGHTS(ADD_COLOURED)
+    PUNCTUAL_LIGHTS(ADD_COLOURED, target)
     AREA_LIGHTS(ADD_SHOWN)
     if (is_bad(sum)) {
         atomicAdd(bad_value_count, 1u);

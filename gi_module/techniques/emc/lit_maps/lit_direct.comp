@@ -12,10 +12,14 @@ float nearness_of(int place, vec3 point, vec3 n) {
     float r2 = dot(o, o);
     float most = wide * wide * r2 / max(-dot(o, n) * inversesqrt(max(r2, 1e-30)), 1e-2);
     float near = 3.4e38;
+#ifdef LAMP_TREES
+    near = nearest_lamp(point, 0, other_nodes_end, near);
+#else
 #define LOOK_AT(LIGHT) near = min(near, dot(LIGHT.position - point, LIGHT.position - point));
-    POINT_LIGHTS(LOOK_AT)
-    SPOT_LIGHTS(LOOK_AT)
-    OTHER_LIGHTS(LOOK_AT)
+    POINT_LIGHTS(LOOK_AT, 0)
+    SPOT_LIGHTS(LOOK_AT, 0)
+    OTHER_LIGHTS(LOOK_AT, 0)
+#endif
     return sqrt(most / max(near, 1e-30));
 }
 

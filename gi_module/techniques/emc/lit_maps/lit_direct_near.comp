@@ -58,8 +58,11 @@ vec3 punctual_irradiance(LightData light, vec3 point, vec3 normal, Quad quad) {
 vec3 texel_irradiance(int place, vec3 point, vec3 normal) {
     Quad quad = quad_of(place, point, normal);
     vec3 sum = vec3(0.0);
+#ifdef LAMP_TREES
+    LampTarget target = matte_target(point, normal);
+#endif
 #define ADD_TO_TEXEL(LIGHT) sum += punctual_irradiance(LIGHT, point, normal, quad);
-    PUNCTUAL_LIGHTS(ADD_TO_TEXEL)
+    PUNCTUAL_LIGHTS(ADD_TO_TEXEL, target)
     AREA_LIGHTS(ADD_AREA)
     return sum;
 }

@@ -240,7 +240,7 @@ void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& mo
     const float diagonal = inputs.scene.diagonal();
     std::vector<vec4> origins;
     for (const render::LightData& light : lights) {
-        if (light.layers == 0) {
+        if (light.layers == 0 || light.shares_map != 0) {
             continue;
         }
         origins.push_back(light.type == render::kLightDirectional

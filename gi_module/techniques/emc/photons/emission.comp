@@ -74,7 +74,7 @@ float light_texel_plane(LightData light, ivec3 texel, vec3 origin, vec3 directio
 
 // A first hit of a photon of a punctual light, off its map, and what of that the map keeps. False: it meets nothing.
 bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 direction, out vec4 kept, out vec3 power) {
-    vec3 origin = light.position;
+    vec3 origin = light.position + light.map_offset;  // from where its map is seen
     direction = light.direction;
     kept = vec4(0.0);
     vec3 from_light;  // not a point: its fp32 steps would coarsen the direction of a light far from the origin

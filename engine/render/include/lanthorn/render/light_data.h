@@ -12,6 +12,9 @@ const uint kLightsBinding = 2u;  // storage (and uniform) buffer binding of the 
 
 const uint kMaxUniformLights = 128u;  // as many as a uniform block of the smallest allowed size holds
 
+// Texels (RGBA32F) of a node of a tree of lamps (lamp_tree.h).
+const int kLampNodeTexels = 6;
+
 // LightData::type
 const uint kLightDirectional = 0u;
 const uint kLightPoint = 1u;
@@ -38,14 +41,16 @@ struct LightData {
     uint id;           // LightInstance::id; area sample: Instance::id of the surface, or kMergedSurfaces
     float depth_range;  // directional: metres from near to far plane of the map
     float texel;  // width of a map texel: at distance 1 on the axis (cube, frustum), in metres (directional)
-    uint two_sided;  // area sample: 1 if it shines to both sides of its surface
+    uint two_sided;   // area sample: 1 if it shines to both sides of its surface
+    vec3 map_offset;  // from `position` to where the map is seen from; 0 where the map is the light's own
+    uint shares_map;  // 1: the map is another lamp's, as there are more lamps than maps
 #ifdef __cplusplus
     bool operator==(const LightData&) const = default;
 #endif
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LightData) == 112);
+static_assert(sizeof(LightData) == 128);
 }  // namespace lanthorn::render
 #endif
 #endif

@@ -45,6 +45,11 @@ class LightMaps {
     const ShiningLights& shining() const { return shining_; }
     // LightData of shining(), to be bound in place of lights().
     const gpu::Buffer& shining_buffer() const { return shining_buffer_; }
+    // ShiningLights::nodes.
+    const gpu::Buffer& nodes_buffer() const { return nodes_buffer_; }
+    // Whether there are more lamps than maps can be: groups of them use the map of one
+    // (LightData::map_offset).
+    bool shares_maps() const { return shares_maps_; }
 
     // Arrays of resolution() squared times the punctual lights' layers; layers as LightData says.
     // R32F: metres from the light (directional: from the map's near plane); 0 where nothing is seen.
@@ -68,6 +73,9 @@ class LightMaps {
   private:
     enum class Which { all, still, rested, moving };
 
+    // The scene's lights with their places in maps of `resolution`, at most `most` layers.
+    std::vector<LightData> describe_lights(const FrameScene& scene, int resolution, int most);
+    void make_trees();  // of shining_
     void prepare(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
     // Those that the face sees, into the layer begun.
     void draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which);
@@ -77,6 +85,11 @@ class LightMaps {
     void leave_out(std::size_t index);
     // All faces of a light's map.
     void draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
+    // Whether anything changed that the light's map shows.
+    bool sees_change(std::size_t index) const;
+    // Those of `due` that are brightest where something changed and have waited longest; the others wait.
+    void follow_most_urgent(std::vector<std::size_t>& due, const FrameScene& scene,
+                            const GpuScene& gpu_scene);
     // Those faces that see what changed.
     void follow(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
 
@@ -86,9 +99,11 @@ class LightMaps {
     LightMapArray area_{false};
     SceneMotion motion_;
     std::vector<LightData> lights_;
+    std::vector<LightData> described_;  // the scene's, before they share maps
     std::vector<LightData> area_samples_;
     std::vector<std::array<bool, 6>> has_movers_;  // by light and face: what the map shows
     std::vector<int> steady_;                      // by light: updates that its map was right for
+    std::vector<int> waits_;                       // by light: updates that its map is out of date for
     std::vector<bool> outdated_;                   // by light: left empty
     std::vector<DrawnInstance> visible_;
     std::uint64_t emissive_version_ = ~0ull;
@@ -96,6 +111,9 @@ class LightMaps {
     gpu::Buffer light_buffer_;
     ShiningLights shining_;
     gpu::Buffer shining_buffer_;
+    gpu::Buffer nodes_buffer_;
+    bool shares_maps_ = false;
+    float lamps_error_ = 0;  // that the trees were made for
     int punctual_count_ = 0;
     int layers_drawn_ = 0;
     std::uint64_t version_;

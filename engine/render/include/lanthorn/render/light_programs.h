@@ -5,23 +5,28 @@
 #include <utility>
 #include <vector>
 
+#include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program_variants.h"
 #include "lanthorn/render/light_maps.h"
 
 namespace lanthorn::render {
 
 inline constexpr GLuint kLightMapUnits = 4;
+// Texture unit of trees of lamps, behind all others but for the one before it, which has the lamps.
+inline constexpr GLuint kLampNodesUnit = 79;
 
 class LightPrograms {
   public:
     explicit LightPrograms(std::vector<std::filesystem::path> stages) : programs_(std::move(stages)) {}
 
     // The program for these lights, compiled when first asked for, with lights and maps bound and set; the
-    // maps take texture units first_unit..first_unit + kLightMapUnits - 1.
+    // maps take texture units first_unit..first_unit + kLightMapUnits - 1, and trees of many lamps
+    // kLampNodesUnit and the one before.
     const gpu::Program& bind(const LightMaps& light_maps, GLuint first_unit);
 
   private:
     gpu::ProgramVariants programs_;
+    gpu::BufferTexture nodes_, lights_;
 };
 
 }  // namespace lanthorn::render

@@ -25,6 +25,7 @@ struct RenderSettings {
     int area_lights_max = 4;           // emissive surfaces with so many points each; render.area_lights.max
     int area_lights_samples = 4;       // points of a flat surface; render.area_lights.samples
     int area_lights_resolution = 128;  // texels a side of their maps; render.area_lights.resolution
+    float lamps_error = 1e-3f;         // of groups of lamps, share of their light; render.lamps.error
     ExposureMode exposure_mode = ExposureMode::automatic;  // render.exposure.mode
     float exposure_ev100 = 10;                             // manual mode; render.exposure.ev100
     float exposure_compensation = 0;                       // stops, both modes; render.exposure.compensation

@@ -20,6 +20,12 @@ struct ShiningLights {
     std::vector<LightData> lights;
     // By kind: the index behind its last light. The next kind's begin there.
     std::array<int, kLightKinds> ends{};
+    // Trees of those of them that are many (lamp_tree.h), kLampNodeTexels each node, and by kind the node
+    // behind the last one of its tree. Empty where shading takes every light.
+    std::vector<vec4> nodes;
+    std::array<int, kLightKinds> node_ends{};
+    // Largest radius of a group of lamps that shading takes for one, over its distance.
+    float closeness = 0;
 
     bool has(LightKind kind) const;  // at least one of that kind is in `lights`
 };
