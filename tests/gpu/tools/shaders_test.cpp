@@ -93,6 +93,13 @@ void run_everything(const TemporaryFolder& dump) {
     glass.materials.back().base_colour.a = 0.5f;
     std::ofstream(out.path("glass.glb"), std::ios::binary) << scene_generator::glb_bytes(glass);
     render(out.path("glass.glb"), {"--frames", "1"});
+    for (const auto kind : {scene_generator::LampKind::endless, scene_generator::LampKind::spot}) {
+        const std::string lamps = out.path("lamps.glb");
+        std::ofstream(lamps, std::ios::binary)
+            << scene_generator::glb_bytes(scene_generator::lamp_hall(130, kind));
+        render(lamps, {"--frames", "2", "--set", "render.shadow.resolution=16", "--set",
+                       "render.air.scattering=0.01"});
+    }
     for (const char* technique : {"emc", "vertex-map"}) {
         const Outcome game =
             testing_tools::run_program(LAMPLIGHTER_BINARY,
