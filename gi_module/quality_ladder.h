@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/runtime/budget_control.h"
+#include "lanthorn/core/math.h"
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gpu/pass_timer.h"
 
