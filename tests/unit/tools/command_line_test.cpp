@@ -115,7 +115,7 @@ TEST_F(CommandLine, TradeAdvisesFromAFinishedChart) {
         expect_refused({"trade", "--from", chart, "--for-ms", limit}, "--for-ms");
         expect_refused({"trade", "--from", chart, "--for-error", limit}, "--for-error");
     }
-    expect_refused({"trade", "--from", path(), "--for-ms", "33"}, "trade.csv");
+    expect_refused({"trade", "--from", path("."), "--for-ms", "33"}, "trade.csv");
     expect_refused({"trade", "--from", cornell(), "--for-ms", "33"}, "trade.csv");
     expect_refused({"trade", "--from", chart}, "--for-ms");
     expect_refused({"trade", "attic", "--from", chart, "--for-ms", "33"}, "attic");

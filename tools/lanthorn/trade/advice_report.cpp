@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/common/text_table.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
