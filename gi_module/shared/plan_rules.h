@@ -30,7 +30,8 @@ struct PlanRule {
 };
 inline constexpr std::array<PlanRule, 8> kPlanRules = {{
     {"gi.plan.bounces", &PlanRules::bounces,
-     "reflections that carry less than a 500th of the light, estimated by areas, albedos and what lamps reach"},
+     "reflections that carry less than a 500th of the light, estimated by areas, albedos and what lamps "
+     "reach"},
     {"gi.plan.count", &PlanRules::count,
      "maps that would show less than a 10 000th of what the first one shows and no other does"},
     {"gi.plan.maps", &PlanRules::maps, "faces of maps in which nothing has moved"},

@@ -21,8 +21,8 @@ constexpr std::array kPhotons = {8000, 4000, 2000, 1000, 500};
 // The picture's pixels are spared before there are fewer points than this.
 constexpr int kLeastPoints = 600;
 
-// Shares of a frame's time at medium, 512x512, while a lamp moves, by group: round figures. What a rung will take
-// is measured in each run (docs/budgets.md).
+// Shares of a frame's time at medium, 512x512, while a lamp moves, by group: round figures. What a rung will
+// take is measured in each run (docs/budgets.md).
 constexpr std::array<double, kCostGroups> kShares = {0.34, 0.06, 0.16, 0.08, 0.30, 0.06};
 
 // What the square of the error is made of there: of noise, of the grid, of texels, of photons; the rest is of

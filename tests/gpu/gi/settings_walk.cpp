@@ -59,7 +59,8 @@ std::vector<std::string> walk_settings(const FrameScene& scene, const std::vecto
     std::vector<std::string> altered;
     for (const SettingInfo& info : schema.all()) {
         if (info.name.starts_with("gi.plan.")) {
-            continue;  // for measuring: work that is done beyond what is needed exchanges maps and shoots other photons, which stay
+            continue;  // for measuring: work that is done beyond what is needed exchanges maps and shoots
+                       // other photons, which stay
         }
         const std::string before = settings.text(info.name);
         const std::string other = another_value(info, before);

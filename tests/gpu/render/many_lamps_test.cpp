@@ -95,8 +95,8 @@ Difference difference(const Pictures& p) {
     return d;
 }
 
-// Without anything that shades: the setting bounds the mean; a group's third moments, which it leaves out, are of no sign, and the
-// pixel that has most of them is off by some five times as much.
+// Without anything that shades: the setting bounds the mean; a group's third moments, which it leaves out,
+// are of no sign, and the pixel that has most of them is off by some five times as much.
 TEST(ManyLamps, InTheOpenAreAsBrightAsTheSettingSays) {
     SceneBuilder b = ground(vec3(0), false);
     add_points(b, 160);
@@ -197,8 +197,8 @@ TEST(ManyLamps, BehindTheCameraAndAroundItLightWhatIsSeen) {
     EXPECT_NEAR(d.share, 1, 2e-3);
 }
 
-// Lamps within a millimetre of walls, in their planes and behind them. A group has the shadow of its middle lamp: one that straddles
-// the ground shines from above it or not at all.
+// Lamps within a millimetre of walls, in their planes and behind them. A group has the shadow of its middle
+// lamp: one that straddles the ground shines from above it or not at all.
 TEST(ManyLamps, InSurfacesAreFinite) {
     SceneBuilder b = ground();
     for (int i = 0; i < 160; ++i) {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/lanthorn/trade/advice_report.h"
 #include "tools/lanthorn/common/svg.h"
+#include "tools/lanthorn/trade/advice_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
 namespace lanthorn::tools {

@@ -117,7 +117,8 @@ class RememberedHits {
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
-    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_, shade_halves_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_,
+        shade_halves_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)

@@ -51,7 +51,8 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     if (all) {
         all_.use();
     }
-    const gpu::Program& touched = all ? all_ : touched_.use(movers.boxes(), kTexelMargin * maps.extent(scene));
+    const gpu::Program& touched =
+        all ? all_ : touched_.use(movers.boxes(), kTexelMargin * maps.extent(scene));
     maps.bind(touched, 0, 1, settings, scene);
     bind(touched, points_view_, 2);
     sharper_.bind_storage(6);

@@ -40,6 +40,7 @@ struct BudgetStep {
     double scale = 1;              // of the picture's width and height
     std::string why;               // one line
 };
+// What a budget has made of a job (docs/budgets.md).
 struct BudgetOutcome {
     std::vector<BudgetStep> steps;
     std::vector<std::string> ladder;  // the rungs' names
