@@ -128,7 +128,8 @@ class Builder {
             add(lamps.subspan(middle));
         }
         // Behind its children.
-        shining_.nodes[at + 1].z = static_cast<float>(shining_.nodes.size() / kLampNodeTexels);
+        const std::size_t next = shining_.nodes.size() / kLampNodeTexels;
+        shining_.nodes[at + 1].z = static_cast<float>(next);
     }
 
   private:

@@ -376,6 +376,7 @@ void LightMaps::follow_most_urgent(std::vector<std::size_t>& due, const FrameSce
         return luminance(light.intensity) / (apart * apart) * static_cast<float>(1 + waits_[i]);
     };
     std::vector<std::pair<float, std::size_t>> order;
+    order.reserve(due.size());
     for (const std::size_t i : due) {
         order.emplace_back(-urgency(i), i);
     }
