@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
@@ -283,6 +284,27 @@ TEST(LitPhotons, ChipsOfSurfacesDoNotShine) {
                 rays.mean, rays.rel_rmse);
     EXPECT_NEAR(photons.mean, rays.mean, 0.02);
     EXPECT_LT(photons.rel_rmse, 1.1 * rays.rel_rmse);
+}
+
+// A panel that shines lies 7 cm deep in a wall, where no map sees it. None of its photons lands in the room
+// before the wall, which has the light of a panel on it.
+TEST(LitPhotons, WhatShinesInsideAWallStaysThere) {
+    const auto flux = [](float x) {
+        const std::vector<Mesh> house = {box(vec3(0), vec3(4, 2.6f, 3), true, 0),
+                                         box(vec3(3.85f, 0, 0), vec3(4, 2.6f, 3), false, 0),
+                                         quad(vec3(x, 1, 1), vec3(0, 0, 1), vec3(0, 1, 0), 1)};
+        const FrameScene scene = scene_of(house, {lambertian(vec3(0.5f)), support::lamp(vec3(800))}, {},
+                                          vec3(0.3f, 1.5f, 0.3f), vec3(2, 0.8f, 2));
+        Bench bench;
+        bench.settings = photon_settings(3);
+        const ImageF image = still_picture(bench, scene, kAllFrames, kSize);
+        return std::reduce(image.pixels.begin(), image.pixels.end(), 0.0) /
+               static_cast<double>(image.pixels.size());
+    };
+    const double on_it = flux(3.84f), in_it = flux(3.92f);
+    std::printf("panel on a wall: %.3f lx, in it: %.5f\n", on_it, in_it);
+    EXPECT_GT(on_it, 10);
+    EXPECT_LT(in_it, 0.005 * on_it);  // without a look back from where they land: 0.41
 }
 
 }  // namespace lit_photons_test

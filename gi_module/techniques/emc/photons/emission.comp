@@ -46,6 +46,8 @@ uniform vec4 surroundings;    // a sphere around them: middle, radius; 0: of a s
 uniform uint seed;
 uniform uint pass_index;  // passes before this one of a still picture
 
+const float kReached = 0.995;  // of a photon's way, that a look back must find free
+
 // Two low-discrepancy numbers of the j-th photon of a source (R2, Roberts 2018), exact in 32 bits for every j.
 vec2 emission_numbers(uint j) {
     uvec2 u = (j + 1u) * uvec2(3242174889u, 2447445414u) + pcg4d(uvec4(seed, 11u, 13u, 17u)).xy;
@@ -157,6 +159,13 @@ int emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 normal
 }
 
 #if EMISSIVE
+// Whether some map sees the side of the surface at x. What none sees may lie in a wall that the emitter sticks into.
+bool is_seen(vec3 x, vec3 n) {
+    bool seen = false;
+    for (int s = 0; s < map_count; ++s) seen = seen || (slot_in_use(s, 0.0) && sees_side(s, x + n * origin_offset(), n));
+    return seen;
+}
+
 bool is_far(vec3 x) {
     vec3 to = surroundings.xyz - x;
     return surroundings.w > 0.0 && dot(to, to) > 4.0 * surroundings.w * surroundings.w;
@@ -231,9 +240,9 @@ void main() {
         bool far = is_far(position);
         direction = emitted_direction(position, normal, w.xyz, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), normal, direction, ray_start(), 0, v.w);
-        if (far && hit.found) {  // what stands before it may show its back to all maps
+        if (hit.found && (far || !is_seen(position, normal))) {  // what stands before it may show its back to all maps
             SceneHit back = intersect_all(hit.position + hit.normal * origin_offset(), hit.normal, -direction, ray_start(), hit.slot, v.w);
-            hit.found = !back.found || back.t > 0.9 * hit.t;
+            hit.found = !back.found || back.t > (far ? 0.9 : kReached) * hit.t;
         }
         alive = hit.found;
         position = hit.position;
