@@ -211,7 +211,9 @@ std::string estimate_table(const std::vector<EstimatePoint>& points) {
     }
     std::vector<double> cost, gi;
     for (const EstimatePoint& p : points) {
-        cost.push_back(p.estimate_ms);
+        if (p.motion != "first") {
+            cost.push_back(p.estimate_ms);
+        }
         gi.push_back(p.gi_ms);
     }
     return table.text() +

@@ -35,10 +35,13 @@ class Estimates {
         const ReferencePair& truth = trace(motion, one);
         context = gpu::create_headless_context();
         App& app = moving.shown().app();
-        FrameMeter meter(app, one.settings, *context);
+        FrameMeter meter(app, comparable(one.settings), *context);
         app.view().size = job_.size;
         for (int i = 0; i <= job_.frames; ++i) {
             const FrameCost cost = meter.measure([&] { moving.show(i); });
+            if (i == 0) {
+                gi::technique_of(app, ViewId::first).estimate_error();  // whose programs it compiles
+            }
             if (i == job_.frames || (motion == Motion::rest && i == 0)) {
                 const bool first = i == 0;
                 judge(app, moving.shown().frame(), truth,
@@ -66,7 +69,6 @@ class Estimates {
 
     void judge(App& app, const FrameScene& frame, const ReferencePair& truth, EstimatePoint point) {
         gi::Technique& technique = gi::technique_of(app, ViewId::first);
-        technique.estimate_error();  // whose programs it compiles
         const double start = processor_ms();
         point.estimate = technique.estimate_error();
         point.estimate_ms = processor_ms() - start;

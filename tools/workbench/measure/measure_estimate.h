@@ -18,8 +18,9 @@ struct EstimatePoint {
     bool held = false;           // of a scene that the weights were not fitted to
     gi::ErrorEstimate estimate;  // known
     ImageError truth;            // noise of the references taken off
-    double estimate_ms = 0;      // processor time that the estimate took
-    double gi_ms = 0;            // the same of the frame's indirect light
+    double estimate_ms =
+        0;             // processor time that the estimate took; none of a first frame, where it is known
+    double gi_ms = 0;  // the same of the frame's indirect light
 };
 
 // Both of the two figures that are estimated.

@@ -204,7 +204,7 @@ MotionFigures Measurement::measure(Motion motion, const MotionCase& one) {
 
     context = gpu::create_headless_context();
     App& app = moving.shown().app();
-    FrameMeter meter(app, one.settings, *context);
+    FrameMeter meter(app, comparable(one.settings), *context);
     app.view().size = job_.size;
     const auto read = [&](render::Aov aov) { return app.world().resource<Renderer>().frame->read(aov); };
     const auto surfaces = [&] {

@@ -57,6 +57,11 @@ ReferencePair trace_pair(const FrameScene& frame, ivec2 size, reference::PathSet
     return pair;
 }
 
+Settings comparable(Settings settings) {
+    settings.set("gi.caustics.photons", 0);
+    return settings;
+}
+
 ReferencePairs::ReferencePairs(std::filesystem::path folder, int spp)
     : folder_(std::move(folder)), spp_(spp) {
     if (!folder_.empty()) {

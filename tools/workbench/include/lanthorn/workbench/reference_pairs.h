@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "lanthorn/core/settings.h"
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "lanthorn/workbench/image_error.h"
@@ -14,6 +15,10 @@ namespace lanthorn::workbench {
 // Indirect irradiance of a frame, twice with (spp + 1) / 2 samples a pixel, by `settings` but for their
 // number of samples and criteria to stop.
 ReferencePair trace_pair(const FrameScene& frame, ivec2 size, reference::PathSettings settings, int spp);
+
+// `settings` of a picture that is held against such a reference. Diffuse transport has no caustics: what they
+// bring would count as error.
+Settings comparable(Settings settings);
 
 // Each pair is traced once: kept by what the scene shows in that moment, camera, size, bounces and samples.
 class ReferencePairs {
