@@ -48,6 +48,14 @@ void declare_shared_settings(SettingList& list) {
             "While scene and camera stay still, each frame adds to the mean of those before: splat other "
             "photons with smaller splats (Knaus and Zwicker 2011), whose lowest level has pixels of 4 at "
             "most; gather, once its 16 frames are in, other rays from other pixels. Up to so many passes.");
+    list.declare<&GiSettings::target_error>("gi.target_error")
+        .unit("relRMSE")
+        .range(0.0f, 1e6f)
+        .cost("an estimate with every pass that changes the picture; none once it is reached")
+        .docs(
+            "Error of indirect light, as it is estimated without a reference, at which a still picture needs "
+            "no "
+            "more passes of gi.accumulate: gather alone. 0: all of them.");
     list.declare<&GiSettings::specular_roughness>("gi.specular.roughness")
         .range(0.0f, 1.0f)
         .presets({0.4f, 0.5f, 0.6f, 0.7f})

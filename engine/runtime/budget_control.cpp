@@ -160,7 +160,9 @@ void BudgetControl::frame(const Frame& frame) {
         return;
     }
     if (wish_.error > 0) {
-        decide_error();
+        if (!frame.refines) {
+            decide_error();
+        }
     } else {
         raise();
     }

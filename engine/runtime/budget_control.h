@@ -46,6 +46,7 @@ class BudgetControl {
         double busy_ms = 0;           // that the machine worked of them
         std::vector<double> groups;   // the same by group of passes; empty: not known
         std::optional<double> error;  // that the picture is estimated to have
+        bool refines = false;         // nothing moves, and each frame has less of it than the one before
     };
     struct Decision {
         std::int64_t frame = 0;  // the last one that was drawn as before, from 0 on

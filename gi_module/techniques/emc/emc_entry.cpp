@@ -14,7 +14,7 @@ TechniqueKind add_emc() {
         "counted "
         "on what these show, and rays gather that light; --preset paper splats them instead, as published";
     emc.has_presets = true;
-    emc.reads = {"gi.bounces",   "gi.photons", "gi.seed",    "gi.accumulate",
+    emc.reads = {"gi.bounces",   "gi.photons", "gi.seed",    "gi.accumulate", "gi.target_error",
                  "gi.caustics.", "gi.emc.",    "gi.gather.", "gi.specular."};
     emc.turns = {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
                  {"gi.emc.count", {"4", "6", "12"}},

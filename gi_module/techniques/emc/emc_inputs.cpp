@@ -16,7 +16,12 @@ void EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s,
     lit_.follow({s.bounces, rules.bounces, s.seed, e.final_stage, e.rays, e.gather_texels, e.gather_source,
                  e.gather_endless, march});
     lit_photons_.follow(e.gather_photons);
-    image_.follow({s.accumulate, e.final_stage, e.gather_grid, e.gather_points, e.gather_rays, e.gather_guide,
+    // More passes go on with a picture that there is; of fewer it is made again, and splats of one pass are
+    // wider than those of many.
+    picture_ +=
+        s.accumulate < passes_ || (e.final_stage == EmcFinal::splat && s.accumulate != passes_) ? 1 : 0;
+    passes_ = s.accumulate;
+    image_.follow({picture_, e.final_stage, e.gather_grid, e.gather_points, e.gather_rays, e.gather_guide,
                    e.splat_base, e.splat_contrast});
     points_.follow({e.final_stage, e.gather_grid, e.gather_points, e.gather_rays, e.gather_guide});
     specular_.follow({s.specular_roughness, e.specular_grid});

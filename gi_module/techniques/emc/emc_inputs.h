@@ -75,7 +75,9 @@ class EmcInputs {
         photons_;
     Versioned<std::tuple<int, bool, std::uint32_t, EmcFinal, EmcRays, int, GatherSource, bool, March>> lit_;
     Versioned<int> lit_photons_;
-    Versioned<std::tuple<int, EmcFinal, int, int, int, bool, SplatBase, float>> image_;
+    Versioned<std::tuple<std::uint64_t, EmcFinal, int, int, int, bool, SplatBase, float>> image_;
+    std::uint64_t picture_ = 0;  // made again for other passes
+    int passes_ = 0;
     Versioned<std::tuple<EmcFinal, int, int, int, bool>> points_;
     Versioned<std::tuple<float, int>> specular_;
     Versioned<std::tuple<int, std::uint32_t, int, float, bool>> caustics_;

@@ -97,6 +97,9 @@ void EmcKept::done(const EmcPlan& plan, const EmcResults& results, const Aabb& b
     if (plan.on(Pass::gather) || plan.on(Pass::splats) || plan.on(Pass::accumulation)) {
         passes = plan.pass + 1;
     }
+    if (passes <= 1) {
+        estimated_error.reset();
+    }
     image.made(plan.now);
     materials.made(plan.now);
     caustics_done(*this, plan);

@@ -2,6 +2,8 @@
 // frame's plan follows.
 #pragma once
 
+#include <optional>
+
 #include "gi_module/techniques/emc/emc_inputs.h"
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "lanthorn/core/math.h"
@@ -43,6 +45,8 @@ struct EmcKept {
     // The picture, but for its light.
     EmcStamps image{Input::image_settings, Input::size, Input::camera, Input::relief};
     int passes = 0;  // that it is the mean of
+    // Of the mean, relRMSE; none: nobody has asked since it began.
+    std::optional<double> estimated_error;
 
     // Lit maps: which texels are lit, by what light, what their rays have met, and photons on them.
     EmcStamps lit_texels{Input::lit_settings, Input::origin,         Input::sky_rays,

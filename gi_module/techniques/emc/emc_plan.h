@@ -120,6 +120,7 @@ enum class EmcReason : std::uint8_t {
     first_pass,
     one_pass_is_all,
     all_passes_are_in,
+    error_is_reached,
     from_low_resolution,
     full_resolution,
     mirrors_show_more,

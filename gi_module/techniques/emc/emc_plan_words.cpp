@@ -264,6 +264,9 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "gi.accumulate is 1: a still picture stays as it is";
         case EmcReason::all_passes_are_in:
             return fmt::format("all {} passes are in the picture", s.accumulate);
+        case EmcReason::error_is_reached:
+            return fmt::format("the picture's error is estimated to be at most gi.target_error, {:.3g}",
+                               s.target_error);
         case EmcReason::from_low_resolution:
             return "from the low resolution, discontinuities computed anew";
         case EmcReason::full_resolution:

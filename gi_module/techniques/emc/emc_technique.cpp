@@ -240,8 +240,12 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "accumulation");
     const RayScene rays{maps_,     lit_maps_.texels(), movers_,     gather_rays_,
                         settings_, inputs.scene,       inputs.timer};
-    irradiance_ = &still_gather_.irradiance(inputs, rays, lit_maps_.radiosity(), gather_.picture(),
-                                            plan_.pass, settings_.accumulate - 1);
+    irradiance_ = &still_gather_.irradiance(inputs, rays, lit_maps_, gather_.picture(), plan_.pass,
+                                            settings_.accumulate - 1, photons_.bad_values());
+    if (settings_.target_error > 0 && StillGather::changes_picture(plan_.pass, settings_.accumulate - 1)) {
+        const ErrorEstimate estimate = estimate_error();
+        kept_.estimated_error = estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt;
+    }
 }
 
 render::TracedLobes EmcTechnique::traced_lobes() const {
@@ -402,7 +406,7 @@ ErrorEstimate EmcTechnique::estimate_error() {
         return estimate;
     }
     const auto& e = settings_.of<EmcSettings>();
-    const GatherError::Parts parts = gather_.error_parts(lit_maps_);
+    const GatherError::Parts& parts = gather_.error_parts(lit_maps_);
     estimate.known = parts.known;
     estimate.relrmse_parts = parts.relrmse;
     estimate.local_parts = parts.local;

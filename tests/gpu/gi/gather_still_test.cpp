@@ -112,6 +112,62 @@ TEST(GatherStill, WhatChangesEndsThePasses) {
     }
 }
 
+// An error that is wished for ends the passes once it is estimated to be reached.
+TEST(GatherStill, PassesEndWhenTheErrorIsReached) {
+    constexpr ivec2 kSize(64);
+    constexpr float kTarget = 0.05f;
+    FrameScene scene = room_with_block();
+    Bench bench;
+    bench.settings = gather_settings();
+    bench.settings.accumulate = 1000;
+    bench.settings.target_error = kTarget;
+    int passes = 0;
+    double before = 0;
+    for (int f = 0; f < kAllFrames + 400; ++f) {
+        bench.frame(scene, kSize);
+        hold_still(scene);
+        const bool refines = bench.technique().statistics(false).plan.on("accumulation");
+        if (!refines && f >= kAllFrames) {
+            break;
+        }
+        passes += refines ? 1 : 0;
+        before = passes == 3 ? bench.technique().estimate_error().relrmse.value : before;
+    }
+    const double after = bench.technique().estimate_error().relrmse.value;
+    std::printf("passes until %.2f: %d, estimated %.4f before and %.4f after\n", kTarget, passes, before,
+                after);
+    EXPECT_GT(before, kTarget) << "there was nothing to do";
+    EXPECT_LE(after, kTarget);
+    EXPECT_LT(passes, 400);
+    const ImageF reached = bench.frame(scene, kSize);
+    // A lower error goes on from there, and a change of view begins as ever.
+    bench.settings.target_error = 0.8f * kTarget;
+    bench.frame(scene, kSize);
+    EXPECT_TRUE(bench.technique().statistics(false).plan.on("accumulation"));
+    EXPECT_FALSE(bench.technique().statistics(false).plan.on("gather"));
+}
+
+// Allowing more passes while they go on, or after, is no other picture: it goes on, to the same bits.
+TEST(GatherStill, MorePassesGoOnWithThePicture) {
+    constexpr ivec2 kSize(50, 37);
+    const auto picture = [](int first, int then) {
+        Bench bench;
+        bench.settings = gather_settings();
+        bench.settings.accumulate = first;
+        FrameScene scene = room_with_block();
+        ImageF image;
+        for (int f = 0; f < kAllFrames + 40; ++f) {
+            bench.settings.accumulate = f < kAllFrames + 10 ? first : then;
+            image = bench.frame(scene, kSize);
+            EXPECT_EQ(bench.technique().statistics(false).plan.on("gather"), f < kAllFrames) << f;
+            hold_still(scene);
+        }
+        return image.pixels;
+    };
+    EXPECT_EQ(picture(5, 25), picture(25, 25));
+    EXPECT_EQ(picture(20, 25), picture(25, 25));
+}
+
 TEST(GatherStill, TheSameSceneGivesTheSameBits) {
     const auto picture = [] {
         Bench bench;

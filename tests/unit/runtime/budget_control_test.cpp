@@ -157,6 +157,24 @@ TEST(BudgetControl, AnErrorThatSufficesSparesTime) {
     EXPECT_NE(control.verdict().find("reached"), std::string::npos);
 }
 
+// A still picture gets there by itself: another rung would begin it again.
+TEST(BudgetControl, WaitsForAPictureThatIsRefined) {
+    const auto changes = [](bool refines) {
+        BudgetControl control;
+        control.set({.ms = 0, .error = 0.1}, ladder());
+        run(control, {.scene = steady(80), .knows_groups = true, .error = 0.05}, 600);
+        const std::int64_t before = control.changes();
+        EXPECT_GT(control.at(), 0u);
+        for (int i = 0; i < 600; ++i) {
+            control.frame({.ms = 80, .busy_ms = 80, .groups = {}, .error = 0.2, .refines = refines});
+        }
+        EXPECT_FALSE(control.holds());
+        return control.changes() - before;
+    };
+    EXPECT_EQ(changes(true), 0);
+    EXPECT_GT(changes(false), 0);
+}
+
 TEST(BudgetControl, TimeComesBeforeAnErrorAndTheErrorIsSaid) {
     BudgetControl control;
     control.set({.ms = 50, .error = 0.02}, ladder());

@@ -15,12 +15,14 @@ namespace lanthorn::workbench {
 namespace {
 
 constexpr std::int64_t kAskEvery = 4;  // frames: the error of a picture changes slowly
+constexpr int kAllPasses = 100'000;    // as many as gi.accumulate knows
 
 }  // namespace
 
 BudgetRun::BudgetRun(App& app, const Settings& settings, ivec2 size, const BudgetWish& wish, bool pixels)
     : app_(app), settings_(settings), wish_(wish) {
     control_.set({.ms = wish.ms, .error = wish.error}, gi::quality_ladder(settings, size, pixels));
+    apply(0);
     for (const auto& [frame, rung] : wish_.played) {
         if (rung >= control_.ladder().rungs.size()) {
             throw InputError(
@@ -28,6 +30,20 @@ BudgetRun::BudgetRun(App& app, const Settings& settings, ivec2 size, const Budge
                             "AOVs are not those of the run before",
                             rung, control_.ladder().rungs.size()));
         }
+    }
+}
+
+void BudgetRun::spend_spare_time(Settings& settings) const {
+    const gi::TechniqueEntry& technique = gi::technique_entry(gi::gi_settings(settings).technique);
+    if (!std::ranges::any_of(technique.reads,
+                             [](std::string_view name) { return name == "gi.target_error"; })) {
+        return;
+    }
+    if (settings.is_default("gi.accumulate")) {
+        settings.set("gi.accumulate", kAllPasses);
+    }
+    if (settings.is_default("gi.target_error")) {
+        settings.set("gi.target_error", static_cast<float>(wish_.error));
     }
 }
 
@@ -44,6 +60,7 @@ void BudgetRun::apply(std::size_t to) {
         const double points = rung.scale * rung.scale * settings.get<int>("gi.gather.points");
         settings.set("gi.gather.points", std::max(1, static_cast<int>(points)));
     }
+    spend_spare_time(settings);
     gi::apply_settings(app_, settings);
     drawn_ = to;
 }
@@ -82,7 +99,9 @@ void BudgetRun::end_frame(double ms, double cpu_ms, std::span<const gpu::PassTim
     control_.frame({.ms = ms,
                     .busy_ms = counted,
                     .groups = gi::group_costs(passes, counted, wish_.processor),
-                    .error = asked_ ? error_ : std::nullopt});
+                    .error = asked_ ? error_ : std::nullopt,
+                    .refines = std::ranges::any_of(
+                        passes, [](const auto& pass) { return pass.name == "accumulation"; })});
 }
 
 BudgetOutcome BudgetRun::outcome() const {

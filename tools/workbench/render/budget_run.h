@@ -30,6 +30,8 @@ class BudgetRun {
 
   private:
     void apply(std::size_t rung);
+    // While nothing moves spare time goes into passes, until the error is what is wished for.
+    void spend_spare_time(Settings& settings) const;
 
     App& app_;
     const Settings& settings_;

@@ -62,6 +62,7 @@ struct GiSettings {
     int photons = 20000;  // emitted a frame, all lights together
     std::uint32_t seed = 1;
     int accumulate = 1;               // passes that a still picture is made of; 1: the first one stays
+    float target_error = 0;           // estimated relRMSE with which it has passes enough; 0: none is
     float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none
 
     // A technique's own: settings.of<CoarseSettings>().samples, settings.edit<CoarseSettings>().samples = 4.

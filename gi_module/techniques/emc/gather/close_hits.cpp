@@ -29,6 +29,7 @@ void CloseHits::begin(const render::LightInputs& inputs, int first) {
         all[1] = static_cast<std::uint32_t>(count_);
         std::iota(all.begin() + 2, all.end(), 0u);
         free_ = gpu::Buffer::from(all);
+        all_free_ = gpu::Buffer::from(all);
         listed_.resize(slots);
         lamp_places_ = gpu::Buffer(kMostLamps * sizeof(vec4));
     }
@@ -43,6 +44,11 @@ void CloseHits::begin(const render::LightInputs& inputs, int first) {
     lamp_places_.write(0, std::span<const vec4>(lamps_));
 }
 
+void CloseHits::release() {
+    owners_.fill(0xffffffffu);
+    glCopyNamedBufferSubData(all_free_.id(), free_.id(), 0, 0, static_cast<GLsizeiptr>(free_.bytes()));
+}
+
 void CloseHits::bind(const gpu::Program& program, const gpu::Buffer& nearness, GLuint unit) {
     points_.bind_storage(10);
     owners_.bind_storage(11);
@@ -53,6 +59,7 @@ void CloseHits::bind(const gpu::Program& program, const gpu::Buffer& nearness, G
     program.set("close_lamps", static_cast<int>(unit + 1));
     program.set("close_lamp_count", static_cast<int>(lamps_.size()));
     program.set("close_first", first_);
+    program.set("close_every_hit", of_ == Of::every_hit ? 1 : 0);
 }
 
 void CloseHits::collect(const std::function<void(const gpu::Program&)>& use, std::size_t entries,
@@ -75,7 +82,7 @@ void CloseHits::collect(const std::function<void(const gpu::Program&)>& use, std
 }
 
 std::size_t CloseHits::bytes() const {
-    return points_.bytes() + owners_.bytes() + free_.bytes() + listed_.bytes();
+    return points_.bytes() + owners_.bytes() + free_.bytes() + all_free_.bytes() + listed_.bytes();
 }
 
 }  // namespace lanthorn::gi

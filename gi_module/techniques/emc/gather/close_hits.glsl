@@ -10,6 +10,7 @@ uniform samplerBuffer lit_nearness;  // by place, a: a lit texel's width over it
 uniform samplerBuffer close_lamps;   // xyz
 uniform int close_lamp_count;
 uniform int close_first;             // the slots' first place
+uniform int close_every_hit;         // 1: no lit texel is good enough; what none shows is left out
 
 const float kNearLamp = 1.0 / 6.0;     // nearness, from which on a texel's light is not that of each of its points
 const float kNearContact = 1.0 / 24.0;  // the same for a ray that is shorter than kContact of its widths
@@ -52,10 +53,11 @@ uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
         looked = true;
     }
     bool is_short = is_lit && t < kContact * width;
-    bool is_close = near > (is_short ? kNearContact : kNearLamp) && t <= kFarthest * width;
+    bool every = close_every_hit != 0;
+    bool is_close = every ? is_lit : near > (is_short ? kNearContact : kNearLamp) && t <= kFarthest * width;
     uint place = found;
     while (is_close) {
-        bool alone = !is_lit || is_short || ends_beside(int(found));
+        bool alone = every || !is_lit || is_short || ends_beside(int(found));
         uint at = alone ? atomicAdd(close_taken, 1u) : 0xffffffffu;
         if (at < close_free_count) {
             uint slot = close_free[at];

@@ -1,7 +1,7 @@
 // Hits that a lit texel is too wide for, each lit for itself by the light maps: beside lamps, and where a
-// short ray meets a surface that a near lamp lights. To who shades they are places as those of lit texels are
-// (remembered_hits.h). A light's irradiance at a point needs no coarser cache than the light's own map
-// (Dachsbacher and Stamminger 2005, "Reflective Shadow Maps").
+// short ray meets a surface that a near lamp lights; or all. To who shades they are places as those of lit
+// texels are (remembered_hits.h). A light's irradiance at a point needs no coarser cache than the light's own
+// map (Dachsbacher and Stamminger 2005, "Reflective Shadow Maps").
 #pragma once
 
 #include <functional>
@@ -16,13 +16,19 @@ namespace lanthorn::gi {
 
 class CloseHits {
   public:
-    // Hits at a time of the picture's points, and of its pixels beside lamps; where there are more the others
-    // go by lit texels.
-    static constexpr int kSlots = 65536, kPixelSlots = 16384;
-    explicit CloseHits(int slots) : count_(slots) {}
+    // Hits at a time of the picture's points, of its pixels beside lamps, and of a still picture's pass, in
+    // the order of their places; where there are more the others go by lit texels.
+    static constexpr int kSlots = 65536, kPixelSlots = 16384, kStillSlots = 65536;
+    static constexpr int kAllSlots = kSlots + kPixelSlots + kStillSlots;
+    // Which hits have a slot: those that a texel is too wide for; or every one, for a frame (a still
+    // picture's).
+    enum class Of { wide_texels, every_hit };
+    explicit CloseHits(int slots, Of of = Of::wide_texels) : count_(slots), of_(of) {}
 
     // Of this frame, before rays are traced: the lamps; `first`: place of the first slot.
     void begin(const render::LightInputs& inputs, int first);
+    // After begin(): all slots are free, since whose they were has forgotten its rays. Cost: a copy of them.
+    void release();
     // close_hits.glsl: storage bindings 10 to 12, texture units `unit` and the next. `nearness`: vec4 by
     // place.
     void bind(const gpu::Program& program, const gpu::Buffer& nearness, GLuint unit);
@@ -36,6 +42,7 @@ class CloseHits {
     const gpu::Buffer& points() const { return points_; }
     const gpu::Buffer& owners() const { return owners_; }
     int first() const { return first_; }
+    Of of() const { return of_; }
     // vec4: lamps that have a place and a map.
     const std::vector<vec4>& lamps() const { return lamps_; }
     const gpu::Buffer& lamp_places() const { return lamp_places_; }
@@ -43,9 +50,10 @@ class CloseHits {
 
   private:
     int count_;
+    Of of_;
     int first_ = 0;
     std::vector<vec4> lamps_;
-    gpu::Buffer points_, owners_, free_, lamp_places_;
+    gpu::Buffer points_, owners_, free_, all_free_, lamp_places_;
     EntryList listed_;
     gpu::Program slots_;
     gpu::BufferTexture nearness_view_, lamps_view_, owners_view_;

@@ -49,6 +49,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
                                        const GiSettings& settings, const GatherWork& work,
                                        const gpu::Buffer& bad_values) {
     inputs.gpu_scene.bind_materials();
+    error_parts_.reset();
     RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
     if (exact != nullptr) {
         close_.begin(inputs, lit.texels().all_places());
@@ -129,14 +130,18 @@ std::vector<vec4> Gather::unfiltered(const LitMaps& lit) {
     return hits_.shade(points_, lit.radiosity()).read<vec4>(static_cast<std::size_t>(points_.capacity()));
 }
 
-GatherError::Parts Gather::error_parts(const LitMaps& lit) {
+const GatherError::Parts& Gather::error_parts(const LitMaps& lit) {
+    if (error_parts_) {
+        return *error_parts_;
+    }
     if (filtered_ == nullptr) {
-        return {};
+        return error_parts_.emplace();
     }
     const gpu::Buffer& halves = hits_.halves(points_, lit.radiosity());
     const gpu::Buffer& irradiance = hits_.irradiance();
     const gpu::Buffer& noise = filter_.again(filtered_points(irradiance), halves);
-    return error_.measure({grid_, points_.points(), irradiance, *filtered_, halves, noise});
+    return error_parts_.emplace(
+        error_.measure({grid_, points_.points(), irradiance, *filtered_, halves, noise}));
 }
 
 std::uint64_t Gather::remembered() const {

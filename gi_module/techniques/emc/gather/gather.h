@@ -2,6 +2,8 @@
 // with remembered hits; filtered over surfaces and up-sampled.
 #pragma once
 
+#include <optional>
+
 #include "gi_module/techniques/emc/gather/gather_error.h"
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 #include "gi_module/techniques/emc/gather/gather_links.h"
@@ -33,8 +35,9 @@ class Gather {
     // By point of the grid, for inspection; wait for the GPU. Rays behind it; what these gather, lux.
     std::vector<vec4> known() const;
     std::vector<vec4> unfiltered(const LitMaps& lit);
-    // Of the last irradiance(), the lit maps as they were for it; waits for the GPU.
-    GatherError::Parts error_parts(const LitMaps& lit);
+    // Of the last irradiance(), the lit maps as they were for it; waits for the GPU if nobody has asked
+    // before.
+    const GatherError::Parts& error_parts(const LitMaps& lit);
     ivec2 grid() const { return grid_; }
     int stride() const { return stride_; }  // pixels
     // Rays behind the picture; waits for the GPU.
@@ -61,6 +64,7 @@ class Gather {
     GatherFilter filter_;
     const gpu::Buffer* filtered_ = nullptr;  // of the last irradiance()
     GatherError error_;
+    std::optional<GatherError::Parts> error_parts_;  // the same, once somebody has asked
     UnseenPlaces unseen_;
     gpu::Program points_program_;
 };

@@ -110,12 +110,15 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
     plan.set(Pass::splats, false, Reason::rays_instead);
     plan.set(Pass::glossy_splats, false, Reason::rays_instead);
-    const bool refine = !gather && kept.passes < s.accumulate;
+    const bool reached =
+        s.target_error > 0 && kept.estimated_error && *kept.estimated_error <= s.target_error;
+    const bool refine = !gather && kept.passes < s.accumulate && !reached;
     plan.pass = refine ? kept.passes : 0;
     plan.set(Pass::accumulation, refine,
              s.accumulate == 1 ? Reason::one_pass_is_all
              : refine          ? Reason::mean_of_passes
              : gather          ? Reason::rays_first
+             : reached         ? Reason::error_is_reached
                                : Reason::all_passes_are_in);
     plan.set(Pass::upsampling, gather, gather ? Reason::from_gather_points : Reason::image_holds);
 }

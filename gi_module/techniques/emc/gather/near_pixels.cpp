@@ -104,6 +104,7 @@ void NearPixels::shoot(const render::FrameInputs& inputs, const RayScene& rays, 
     RayScene own = rays;
     own.close = &close_;
     hits_.forget();
+    close_.release();
     hits_.shoot(points_, own);
 }
 

@@ -1,5 +1,7 @@
 #include "gi_module/techniques/emc/gather/still_gather.h"
 
+#include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "lanthorn/emc/emc_settings.h"
@@ -17,6 +19,9 @@ double own_weight(double rays) {
     return rays / (rays + kFirstRays);
 }
 
+constexpr int kFewestPasses = 4;  // behind a picture, and between two
+constexpr int kPassesOver = 8;    // between two pictures, of those that there are: an eighth to a sixteenth
+
 // What the two levels of the narrow filter divide noise by, where light is even.
 constexpr double kFilteredPixels = 9;
 
@@ -29,6 +34,19 @@ ivec2 pixel_of(int pass, int stride) {
     }
     const int k = (pass - 1) % pixels * step % pixels;
     return {k % stride, k / stride};
+}
+
+// Pixels between those of a pass: as in the gather's grid, or more, so that every hit has a slot of its own.
+int stride_of(ivec2 size, const EmcSettings& settings) {
+    int stride = settings.gather_grid;
+    const auto hits = [&] {
+        const ivec2 grid = (size + stride - 1) / stride;
+        return static_cast<std::int64_t>(grid.x) * grid.y * settings.gather_rays;
+    };
+    while (hits() > CloseHits::kStillSlots && stride < std::max(size.x, size.y)) {
+        ++stride;
+    }
+    return stride;
 }
 
 }  // namespace
@@ -49,7 +67,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays)
         picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
     }
     size_ = size;
-    stride_ = rays.settings.of<EmcSettings>().gather_grid;
+    stride_ = stride_of(size, rays.settings.of<EmcSettings>());
     grid_ = (size + stride_ - 1) / stride_;
     use_surfaces(surfaces_program_, inputs);
     surfaces_.bind_storage(4);
@@ -103,30 +121,55 @@ void StillGather::show(const gpu::Texture& first, double rays) {
     wait_for_shaders();
 }
 
+bool StillGather::changes_picture(int pass, int last) {
+    const int few = static_cast<int>(std::bit_floor(static_cast<unsigned>(pass)));
+    return pass % std::max(kFewestPasses, few / kPassesOver) == 0 || pass == last;
+}
+
 void StillGather::refine(ErrorParts& parts) const {
     const double own = own_weight(shown_rays_), first = (1 - own) * (1 - own);
     parts.noise = first * parts.noise + own * own * parts.contrast / (shown_rays_ * kFilteredPixels);
     parts.blur *= first;
     parts.bend *= first;
+    if (exact_) {
+        parts.contrast *= first;
+    }
+}
+
+const gpu::Buffer& StillGather::shoot(const render::FrameInputs& inputs, const RayScene& rays, LitMaps& lit,
+                                      int pass, const gpu::Buffer& bad_values) {
+    RayScene own = rays;
+    hits_.forget();
+    if (own.exact != nullptr) {
+        close_.begin(inputs, lit.texels().all_places() + CloseHits::kSlots + CloseHits::kPixelSlots);
+        close_.release();
+        own.close = &close_;
+        own.nearness = &lit.nearness();
+    }
+    hits_.shoot(points_, own, nullptr, pass);
+    if (own.exact != nullptr) {
+        hits_.collect(own);
+        lit.light_close(inputs, own.maps, own.settings, close_, bad_values);
+    }
+    return hits_.shade(points_, lit.radiosity());
 }
 
 const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, const RayScene& rays,
-                                            const gpu::Buffer& radiosity, const gpu::Texture& first, int pass,
-                                            int last) {
+                                            LitMaps& lit, const gpu::Texture& first, int pass, int last,
+                                            const gpu::Buffer& bad_values) {
     inputs.gpu_scene.bind_materials();
     if (pass == 1) {
         begin(inputs, rays);
     }
     points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.of<EmcSettings>().gather_rays);
     place(inputs, pass);
-    hits_.forget();
-    hits_.shoot(points_, rays, nullptr, pass);
-    add(hits_.shade(points_, radiosity));
-    if (pass % kPassesAPicture == 0 || pass == last) {
+    add(shoot(inputs, rays, lit, pass, bad_values));
+    exact_ = rays.exact != nullptr;
+    if (changes_picture(pass, last)) {
         show(first,
              static_cast<double>(pass) * rays.settings.of<EmcSettings>().gather_rays / (stride_ * stride_));
     }
-    return pass < kPassesAPicture && pass < last ? first : picture_;
+    return pass < kFewestPasses && pass < last ? first : picture_;
 }
 
 }  // namespace lanthorn::gi

@@ -1,9 +1,10 @@
 // A still picture by the final gather, as the mean of ever more rays: each pass shoots new directions from
 // other pixels, so that neither the grid of points nor the directions that are remembered limit how right it
-// becomes. What a picture in motion needs (gather.h) is left as it is: when something changes, that one goes
-// on where it was.
+// becomes; and what an exact ray meets has direct light of its own, so that lit texels do not either. What a
+// picture in motion needs (gather.h) is left as it is: when something changes, that one goes on where it was.
 #pragma once
 
+#include "gi_module/techniques/emc/gather/close_hits.h"
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 #include "gi_module/techniques/emc/gather/gather_links.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
@@ -18,21 +19,27 @@ class StillGather {
   public:
     // Pass `pass` of at most `last`, from 1 on: gi.gather.rays rays from one pixel in each cell of
     // gi.gather.grid. Returns irradiance in lux, which begins as `first`, the gathered picture, and
-    // approaches the mean of the rays alone. It changes with every kPassesAPicture-th pass and the last.
-    // Cost: rays as a frame of the gather's, and with such a pass the filter over all pixels. 60 bytes a
-    // pixel.
-    const gpu::Texture& irradiance(const render::FrameInputs& inputs, const RayScene& rays,
-                                   const gpu::Buffer& radiosity, const gpu::Texture& first, int pass,
-                                   int last);
+    // approaches the mean of the rays alone.
+    // Exact rays take direct light where they end, and of lit texels what these have reflected more often.
+    // Cost: rays as a frame of the gather's (fewer where their ends would not fit into CloseHits), and with
+    // such a pass the filter over all pixels. 60 bytes a pixel.
+    const gpu::Texture& irradiance(const render::FrameInputs& inputs, const RayScene& rays, LitMaps& lit,
+                                   const gpu::Texture& first, int pass, int last,
+                                   const gpu::Buffer& bad_values);
+
+    // Whether the picture is another after that pass: after every fourth of the first, later after every few
+    // per cent more of them, and after the last.
+    static bool changes_picture(int pass, int last);
 
     // What is known of the gathered picture's error, as it is of the last picture.
     void refine(ErrorParts& parts) const;
 
   private:
-    static constexpr int kPassesAPicture = 4;
-
     void begin(const render::FrameInputs& inputs, const RayScene& rays);
     void place(const render::FrameInputs& inputs, int pass);
+    // Irradiance at the pass's points.
+    const gpu::Buffer& shoot(const render::FrameInputs& inputs, const RayScene& rays, LitMaps& lit, int pass,
+                             const gpu::Buffer& bad_values);
     void add(const gpu::Buffer& irradiance);
     void show(const gpu::Texture& first, double rays);
 
@@ -42,6 +49,7 @@ class StillGather {
     ivec2 offset_{0};       // of this pass's pixels in their cells
     SurfacePoints points_;  // of this pass
     RememberedHits hits_{RememberedHits::Of::still_picture};
+    CloseHits close_{CloseHits::kStillSlots, CloseHits::Of::every_hit};
     GatherLinks links_;  // between pixels
     GatherFilter filter_;
     gpu::Program surfaces_program_, points_program_, mean_program_, show_program_;
@@ -51,6 +59,7 @@ class StillGather {
     gpu::Buffer known_;     // float: how many these are
     gpu::Texture picture_;
     double shown_rays_ = 0;  // of a pixel, behind it
+    bool exact_ = false;     // they take direct light where they end
     gpu::BufferTexture irradiance_view_, rays_view_;
 };
 

@@ -20,6 +20,7 @@ uniform samplerBuffer lit_albedo;
 uniform sampler2DArray light_map_albedo;
 uniform vec4 map_centres[40];  // kMaxMaps
 uniform int close_first;
+uniform int close_fresh;  // 1: found in this frame, and so what their texels show
 
 // What the light's map shows at the point; 0 where it shows something else or nothing.
 vec3 colour_of(LightData light, vec3 point) {
@@ -50,7 +51,7 @@ void main() {
     vec3 x = hit.xyz;
     vec3 n = point_normal(hit);
     uint texel = texelFetch(close_owners, slot).y;
-    bool shown = still_shows(texel, x, n);
+    bool shown = close_fresh != 0 ? texel < kNoRay : still_shows(texel, x, n);
     int place = shown ? int(texel) : 0;
     vec3 own = texelFetch(lit_albedo, place).rgb;
     vec3 sum = vec3(0.0);

@@ -331,6 +331,7 @@ void LitMaps::light_close(const render::LightInputs& inputs, const EnvironmentMa
     inputs.light_maps.albedo().bind(kFirst + 6);
     program.set("light_map_albedo", static_cast<int>(kFirst + 6));
     program.set("close_first", close.first());
+    program.set("close_fresh", close.of() == CloseHits::Of::every_hit ? 1 : 0);
     radiosity().bind_storage(3);
     first_.bind_storage(5);
     close.listed().bind_storage(6);

@@ -33,7 +33,7 @@ class LitTexels {
     // With those of the sky, which follow them (sky_places.h).
     int all_places() const { return places() + kSkyPlaces; }
     // With those of close hits, which follow these.
-    int shaded_places() const { return all_places() + CloseHits::kSlots + CloseHits::kPixelSlots; }
+    int shaded_places() const { return all_places() + CloseHits::kAllSlots; }
     int blocks() const { return places() / (kBlock * kBlock); }
     // By place; of points twice as many (lit_points.glsl).
     const gpu::Buffer& points() const { return points_; }
