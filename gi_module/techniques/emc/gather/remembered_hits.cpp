@@ -477,8 +477,7 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           shading_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() +
-           there_.bytes();
+           shading_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() + there_.bytes();
 }
 
 }  // namespace lanthorn::gi

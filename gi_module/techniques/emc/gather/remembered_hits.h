@@ -67,7 +67,9 @@ class RememberedHits {
     void bind(const gpu::Program& program);
 
     const gpu::Buffer& irradiance() const { return shading_.irradiance(); }  // of the last shade()
-    const gpu::Buffer& known() const { return shading_.known(); }  // float by point: rays behind its irradiance
+    const gpu::Buffer& known() const {
+        return shading_.known();
+    }  // float by point: rays behind its irradiance
     // Rays of the last shoot(); waits for the GPU.
     std::uint64_t shot() const;
     std::size_t bytes() const;
@@ -125,14 +127,13 @@ class RememberedHits {
     gpu::Buffer starts_;  // vec4: a packed point
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
     gpu::Buffer counts_, counts_before_;  // by point of the picture: how many starts serve it
-    gpu::Buffer parts_;       // what carries starts along (remembered_carry.comp)
-    EntryList there_;         // starts that hold rays, of the last verify()
-    EntryList stale_;         // of the last verify()
-    EntryList near_;          // stale, if movers were as large as the boxes around them; items to look up
-    EntryList listed_;        // to be traced, or looked up again
+    gpu::Buffer parts_;                   // what carries starts along (remembered_carry.comp)
+    EntryList there_;                     // starts that hold rays, of the last verify()
+    EntryList stale_;                     // of the last verify()
+    EntryList near_;    // stale, if movers were as large as the boxes around them; items to look up
+    EntryList listed_;  // to be traced, or looked up again
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
-        counts_view_, changed_view_, index_view_,
-        lit_points_view_, parts_view_;
+        counts_view_, changed_view_, index_view_, lit_points_view_, parts_view_;
 };
 
 }  // namespace lanthorn::gi
