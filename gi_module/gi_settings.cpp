@@ -71,6 +71,7 @@ void declare_shared_settings(SettingList& list) {
 template <std::size_t... I>
 void declare_plan_rules(SettingList& list, std::index_sequence<I...> /*rules*/) {
     (list.declare<kPlanRules[I].on>(kPlanRules[I].name)
+         .for_measuring()
          .cost(std::string("false costs what is left out otherwise: ") + kPlanRules[I].leaves_out)
          .docs("For measuring the plan (docs/plan.md). False: its passes work as if the scene required it."),
      ...);

@@ -13,6 +13,8 @@ namespace lanthorn {
 
 namespace {
 
+constexpr const char* kForMeasuring = "For measuring alone; no picture needs them:";
+
 bool well_formed(std::string_view name) {
     const auto allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
@@ -171,13 +173,29 @@ static std::string presets_text(const SettingInfo& info) {
     return text;
 }
 
+// In order of declaration.
+static std::vector<const SettingInfo*> group_of(const std::deque<SettingInfo>& settings, bool for_measuring) {
+    std::vector<const SettingInfo*> group;
+    for (const SettingInfo& info : settings) {
+        if (info.for_measuring == for_measuring) {
+            group.push_back(&info);
+        }
+    }
+    return group;
+}
+
 std::string SettingsSchema::list_text() const {
+    const std::vector<const SettingInfo*> measuring = group_of(settings_, true);
+    std::vector<const SettingInfo*> listed = group_of(settings_, false);
+    const std::size_t pictures = listed.size();
+    listed.insert(listed.end(), measuring.begin(), measuring.end());
     std::vector<std::array<std::string, 6>> rows = {
         {"NAME", "TYPE", "RANGE", "UNIT", "DEFAULT", "PRESETS (low, medium, high, ultra; paper)"}};
-    for (const SettingInfo& info : settings_) {
-        const std::string presets = presets_text(info);
-        rows.push_back({info.name, info.type_name(), info.range_text(), info.unit.empty() ? "-" : info.unit,
-                        info.value_text(info.initial), presets.empty() ? "-" : presets});
+    for (const SettingInfo* info : listed) {
+        const std::string presets = presets_text(*info);
+        rows.push_back({info->name, info->type_name(), info->range_text(),
+                        info->unit.empty() ? "-" : info->unit, info->value_text(info->initial),
+                        presets.empty() ? "-" : presets});
     }
     std::array<std::size_t, 6> width{};
     for (const auto& row : rows) {
@@ -187,12 +205,15 @@ std::string SettingsSchema::list_text() const {
     }
     std::string out;
     for (std::size_t r = 0; r < rows.size(); ++r) {
+        if (r == pictures + 1) {
+            out += fmt::format("\n{}\n", kForMeasuring);
+        }
         for (std::size_t i = 0; i < rows[r].size(); ++i) {
             out += i + 1 < rows[r].size() ? fmt::format("{:<{}}  ", rows[r][i], width[i]) : rows[r][i];
         }
         out += '\n';
         if (r > 0) {
-            const SettingInfo& info = settings_[r - 1];
+            const SettingInfo& info = *listed[r - 1];
             if (!info.words.empty()) {
                 out += fmt::format("    {}\n", info.words);
             }
@@ -246,14 +267,23 @@ std::string SettingsSchema::list_json() const {
 }
 
 std::string SettingsSchema::list_markdown() const {
-    std::string out = "| setting | value | default | presets | what |\n|---|---|---|---|---|\n";
-    for (const SettingInfo& info : settings_) {
-        std::string what = info.words;
-        if (!info.cost.empty()) {
-            what += (what.empty() ? "Cost: " : " Cost: ") + info.cost + ".";
+    std::string out;
+    const auto add = [&](const std::vector<const SettingInfo*>& group) {
+        out += "| setting | value | default | presets | what |\n|---|---|---|---|---|\n";
+        for (const SettingInfo* info : group) {
+            std::string what = info->words;
+            if (!info->cost.empty()) {
+                what += (what.empty() ? "Cost: " : " Cost: ") + info->cost + ".";
+            }
+            out += fmt::format("| `{}` | {} | {} | {} | {} |\n", info->name, table_cell(info->expectation()),
+                               table_cell(info->value_text(info->initial)), presets_text(*info),
+                               table_cell(what));
         }
-        out += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.name, table_cell(info.expectation()),
-                           table_cell(info.value_text(info.initial)), presets_text(info), table_cell(what));
+    };
+    add(group_of(settings_, false));
+    if (const std::vector<const SettingInfo*> measuring = group_of(settings_, true); !measuring.empty()) {
+        out += fmt::format("\n{}\n\n", kForMeasuring);
+        add(measuring);
     }
     return out;
 }

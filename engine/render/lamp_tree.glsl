@@ -9,7 +9,28 @@ uniform usamplerBuffer lamp_lights;  // `lights` as texels, which software raste
 uniform float lamp_closeness;  // the largest radius of a group over its distance, squared
 uniform float lamp_texel;      // LightData::texel of cubes
 
-// Walks say themselves when they have ended: llvmpipe (Mesa 22.3) goes on to alter what a lane has found while its neighbours still look.
+// What a walk sees at a node.
+struct LampLook {
+    bool none;   // it gives no light: passed over
+    bool whole;  // it may be taken as it is; else the walk goes into it
+    int past;    // the node behind it and all below it
+};
+
+// int NAME(AT at, int i, int end, out int next): from node `i` on the next one that is taken; `end` if there is none. `next`: where
+// to go on. LampLook LOOK(AT at, int i). The walk says itself when it has ended, by `going`: llvmpipe (Mesa 22.3) goes on to alter
+// what a lane has found while its neighbours still look.
+#define LAMP_WALK(NAME, AT, LOOK)                                        \
+    int NAME(AT at, int i, int end, out int next) {                      \
+        int taken = end;                                                 \
+        do {                                                             \
+            LampLook look = LOOK(at, i);                                 \
+            bool going = taken == end && i < end;                        \
+            taken = going && look.whole && !look.none ? i : taken;       \
+            i = !going ? i : look.none || look.whole ? look.past : i + 1; \
+        } while (taken == end && i < end);                               \
+        next = i;                                                        \
+        return taken;                                                    \
+    }
 
 // A point as the walk sees it.
 struct LampTarget {
@@ -32,49 +53,36 @@ bool within_lobe(LampTarget at, vec3 l, float angle2) {
     return at.lobe2 <= 0.0 || angle2 * nh2 <= 4.0 * lamp_closeness * (max(hh - nh2, 0.0) + at.lobe2 * nh2);
 }
 
-// From node `i` on the next one that is taken; `end` if there is none. `next`: where to go on.
-int next_lamps(LampTarget at, int i, int end, out int next) {
-    int taken = end;
-    do {
-        vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
-        vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
-        vec3 to = place.xyz - at.point;
-        float d2 = dot(to, to);
-        float r2 = place.w * place.w;
-        float above = dot(to, at.geometric);
-        bool none = d2 > bounds.x || above <= -place.w;
-        bool near = r2 > lamp_closeness * d2 || d2 > bounds.y || min(abs(above), abs(dot(to, at.shading))) < place.w;
-        bool whole = !near && within_lobe(at, to * inversesqrt(max(d2, 1e-30)), r2 / max(d2, 1e-30));
-        bool going = taken == end && i < end;
-        taken = going && whole && !none ? i : taken;
-        i = !going ? i : none || whole ? int(bounds.z) : i + 1;
-    } while (taken == end && i < end);
-    next = i;
-    return taken;
+LampLook look_at_lamps(LampTarget at, int i) {
+    vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
+    vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
+    vec3 to = place.xyz - at.point;
+    float d2 = dot(to, to);
+    float r2 = place.w * place.w;
+    float above = dot(to, at.geometric);
+    bool none = d2 > bounds.x || above <= -place.w;
+    bool near = r2 > lamp_closeness * d2 || d2 > bounds.y || min(abs(above), abs(dot(to, at.shading))) < place.w;
+    bool whole = !near && within_lobe(at, to * inversesqrt(max(d2, 1e-30)), r2 / max(d2, 1e-30));
+    return LampLook(none, whole, int(bounds.z));
 }
 
 // The same of nodes of lamps that make no groups, which a cone bounds.
-int next_spot(LampTarget at, int i, int end, out int next) {
-    int taken = end;
-    do {
-        vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
-        vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
-        vec4 cone = texelFetch(lamp_nodes, kLampNodeTexels * i + 2);
-        vec3 to = place.xyz - at.point;
-        float d2 = dot(to, to);
-        float along = -dot(to, cone.xyz);
-        float across = sqrt(max(d2 - along * along, 0.0));
-        float sine = sqrt(max(1.0 - cone.w * cone.w, 0.0));
-        bool outside = cone.w > 0.0 && across * cone.w - along * sine > place.w + 1e-5 * (abs(along) + across);
-        bool none = outside || d2 > bounds.x || dot(to, at.geometric) <= -place.w;
-        bool single = bounds.y > 0.0;
-        bool going = taken == end && i < end;
-        taken = going && single && !none ? i : taken;
-        i = !going ? i : none || single ? int(bounds.z) : i + 1;
-    } while (taken == end && i < end);
-    next = i;
-    return taken;
+LampLook look_at_spot(LampTarget at, int i) {
+    vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
+    vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
+    vec4 cone = texelFetch(lamp_nodes, kLampNodeTexels * i + 2);
+    vec3 to = place.xyz - at.point;
+    float d2 = dot(to, to);
+    float along = -dot(to, cone.xyz);
+    float across = sqrt(max(d2 - along * along, 0.0));
+    float sine = sqrt(max(1.0 - cone.w * cone.w, 0.0));
+    bool outside = cone.w > 0.0 && across * cone.w - along * sine > place.w + 1e-5 * (abs(along) + across);
+    bool none = outside || d2 > bounds.x || dot(to, at.geometric) <= -place.w;
+    return LampLook(none, bounds.y > 0.0, int(bounds.z));
 }
+
+LAMP_WALK(next_lamps, LampTarget, look_at_lamps)
+LAMP_WALK(next_spot, LampTarget, look_at_spot)
 
 // A ray of the eye, in air that scatters light.
 struct LampRay {
@@ -83,43 +91,29 @@ struct LampRay {
     float far;
 };
 
-// The walk for the light along a ray: groups have half the size, as their moments are left out.
-int next_lamps(LampRay at, int i, int end, out int next) {
-    int taken = end;
-    do {
-        vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
-        vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
-        vec3 to = place.xyz - at.from;
-        float along = dot(to, at.along);
-        vec3 nearest = to - at.along * clamp(along, 0.0, at.far);
-        float d2 = dot(nearest, nearest);
-        float farthest = max(dot(to, to), dot(to, to) + at.far * (at.far - 2.0 * along));
-        bool none = d2 > bounds.x;
-        bool whole = 4.0 * place.w * place.w <= lamp_closeness * d2 && farthest <= bounds.y;
-        bool going = taken == end && i < end;
-        taken = going && whole && !none ? i : taken;
-        i = !going ? i : none || whole ? int(bounds.z) : i + 1;
-    } while (taken == end && i < end);
-    next = i;
-    return taken;
+// For the light along a ray: groups have half the size, as their moments are left out.
+LampLook look_at_lamps(LampRay at, int i) {
+    vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
+    vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
+    vec3 to = place.xyz - at.from;
+    float along = dot(to, at.along);
+    vec3 nearest = to - at.along * clamp(along, 0.0, at.far);
+    float d2 = dot(nearest, nearest);
+    float farthest = max(dot(to, to), dot(to, to) + at.far * (at.far - 2.0 * along));
+    bool whole = 4.0 * place.w * place.w <= lamp_closeness * d2 && farthest <= bounds.y;
+    return LampLook(d2 > bounds.x, whole, int(bounds.z));
 }
 
-int next_spot(LampRay at, int i, int end, out int next) {
-    int taken = end;
-    do {
-        vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
-        vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
-        vec3 to = place.xyz - at.from;
-        vec3 nearest = to - at.along * clamp(dot(to, at.along), 0.0, at.far);
-        bool none = dot(nearest, nearest) > bounds.x;
-        bool single = bounds.y > 0.0;
-        bool going = taken == end && i < end;
-        taken = going && single && !none ? i : taken;
-        i = !going ? i : none || single ? int(bounds.z) : i + 1;
-    } while (taken == end && i < end);
-    next = i;
-    return taken;
+LampLook look_at_spot(LampRay at, int i) {
+    vec4 place = texelFetch(lamp_nodes, kLampNodeTexels * i);
+    vec4 bounds = texelFetch(lamp_nodes, kLampNodeTexels * i + 1);
+    vec3 to = place.xyz - at.from;
+    vec3 nearest = to - at.along * clamp(dot(to, at.along), 0.0, at.far);
+    return LampLook(dot(nearest, nearest) > bounds.x, bounds.y > 0.0, int(bounds.z));
 }
+
+LAMP_WALK(next_lamps, LampRay, look_at_lamps)
+LAMP_WALK(next_spot, LampRay, look_at_spot)
 
 // A node's lamps as one point lamp at their mean place, its shadows those of its speaker.
 LightData point_lamp(vec3 place, vec4 intensity, vec4 map) {
@@ -177,36 +171,8 @@ LightData lamps_of(int node, LampTarget at, bool found) {
 
 // Lamp of a node that next_spot() took.
 LightData spot_of(int node, bool found) {
-    int texel = 8 * int(texelFetch(lamp_nodes, lamp_node(node, found) + 1).w);
-    uvec4 t0 = texelFetch(lamp_lights, texel);
-    uvec4 t1 = texelFetch(lamp_lights, texel + 1);
-    uvec4 t2 = texelFetch(lamp_lights, texel + 2);
-    uvec4 t3 = texelFetch(lamp_lights, texel + 3);
-    uvec4 t4 = texelFetch(lamp_lights, texel + 4);
-    uvec4 t5 = texelFetch(lamp_lights, texel + 5);
-    uvec4 t6 = texelFetch(lamp_lights, texel + 6);
-    uvec4 t7 = texelFetch(lamp_lights, texel + 7);
-    LightData light;
-    light.position = uintBitsToFloat(t0.xyz);
-    light.range = uintBitsToFloat(t0.w);
-    light.direction = uintBitsToFloat(t1.xyz);
-    light.type = t1.w;
-    light.intensity = found ? uintBitsToFloat(t2.xyz) : vec3(0.0);
-    light.area = uintBitsToFloat(t2.w);
-    light.right = uintBitsToFloat(t3.xyz);
-    light.cone_scale = uintBitsToFloat(t3.w);
-    light.up = uintBitsToFloat(t4.xyz);
-    light.cone_offset = uintBitsToFloat(t4.w);
-    light.extent = uintBitsToFloat(t5.x);
-    light.cos_outer = uintBitsToFloat(t5.y);
-    light.first_layer = t5.z;
-    light.layers = t5.w;
-    light.id = t6.x;
-    light.depth_range = uintBitsToFloat(t6.y);
-    light.texel = uintBitsToFloat(t6.z);
-    light.two_sided = t6.w;
-    light.map_offset = uintBitsToFloat(t7.xyz);
-    light.shares_map = t7.w;
+    LightData light = light_in_texels(lamp_lights, int(texelFetch(lamp_nodes, lamp_node(node, found) + 1).w));
+    light.intensity = found ? light.intensity : vec3(0.0);
     return light;
 }
 

@@ -13,6 +13,17 @@ layout(std430, binding = 2) readonly buffer Lights {
 };
 #endif
 
+// Light `i` of an array that is read as texels (RGBA32UI), word by word.
+LightData light_in_texels(usamplerBuffer texels, int i) {
+    int t = kLightTexels * i;
+    uvec4 t0 = texelFetch(texels, t), t1 = texelFetch(texels, t + 1), t2 = texelFetch(texels, t + 2), t3 = texelFetch(texels, t + 3);
+    uvec4 t4 = texelFetch(texels, t + 4), t5 = texelFetch(texels, t + 5), t6 = texelFetch(texels, t + 6), t7 = texelFetch(texels, t + 7);
+    vec4 right = uintBitsToFloat(t3), up = uintBitsToFloat(t4), frustum = uintBitsToFloat(t5), texel = uintBitsToFloat(t6);
+    return LightData(uintBitsToFloat(t0.xyz), uintBitsToFloat(t0.w), uintBitsToFloat(t1.xyz), t1.w, uintBitsToFloat(t2.xyz),
+                     uintBitsToFloat(t2.w), right.xyz, right.w, up.xyz, up.w, frustum.x, frustum.y, t5.z, t5.w, t6.x, texel.y, texel.z,
+                     t6.w, uintBitsToFloat(t7.xyz), t7.w);
+}
+
 // KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
 float light_range_window(LightData light, float distance) {
     if (light.range >= 1e30) return 1.0;

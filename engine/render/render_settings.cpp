@@ -18,6 +18,7 @@ void declare_render_settings(SettingsSchema& schema) {
             "Side of a map of a point, spot or directional light: its shadows, and where its photons start.");
     schema.declare<bool>("render.shadow.kept")
         .initially(d.shadow_kept)
+        .for_measuring()
         .cost("false draws every map of a light that shines in every frame")
         .docs("For measuring the plan (docs/plan.md). False: no map is kept from frame to frame.");
     schema.declare<int>("render.area_lights.max")

@@ -12,15 +12,6 @@ namespace drm_extremes_test {
 
 constexpr ivec2 kSize(48);
 
-double mean_of(const ImageF& image) {
-    double sum = 0;
-    for (const float v : image.pixels) {
-        EXPECT_TRUE(std::isfinite(v));
-        sum += static_cast<double>(v);
-    }
-    return sum / static_cast<double>(image.pixels.size());
-}
-
 TEST(DrmExtremes, MLargerThanTheMap) {
     DrmBench coarse, fine;
     coarse.set_shadow_resolution(16);  // a cube face: M = 16 asks for as many texels

@@ -1,7 +1,6 @@
 // Blended surfaces (alphaMode BLEND) stop and reflect the share of light that their alpha says.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "gi_module/shared/rays/embree_rays.h"
@@ -58,27 +57,17 @@ void by_default(Bench& bench) {
     bench.settings.edit<EmcSettings>().gather_source = GatherSource::photons;
 }
 
-ImageF radiance_of(const FrameScene& scene) {
+ImageF shown(const FrameScene& scene) {
     Bench bench;
     by_default(bench);
-    still_picture(bench, scene, kFrames, kSize);
-    return bench.renderer().read(render::Aov::radiance);
-}
-
-double mean_of(const ImageF& image) {
-    double sum = 0;
-    for (const float v : image.pixels) {
-        EXPECT_TRUE(std::isfinite(v));
-        sum += static_cast<double>(v);
-    }
-    return sum / static_cast<double>(image.pixels.size());
+    return radiance_of(bench, scene, kSize, kFrames);
 }
 
 // Leaves and fences that an exporter calls BLEND.
 TEST(Blended, WhatIsClearOrSolidLooksAsIfItWereMasked) {
     const Mesh holes = curtain(0, 1);
-    EXPECT_EQ(radiance_of(parted_room(holes, AlphaMode::blend)).pixels,
-              radiance_of(parted_room(holes, AlphaMode::mask)).pixels);
+    EXPECT_EQ(shown(parted_room(holes, AlphaMode::blend)).pixels,
+              shown(parted_room(holes, AlphaMode::mask)).pixels);
 }
 
 TEST(Blended, IndirectLightIsWhatPathFinds) {

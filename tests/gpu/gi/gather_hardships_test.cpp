@@ -76,14 +76,6 @@ Truth truth_of(const FrameScene& scene, ivec2 size) {
     return path_traced(scene, size, kBounces, 256);
 }
 
-double mean(const ImageF& image) {
-    double sum = 0;
-    for (const float v : image.pixels) {
-        sum += static_cast<double>(v);
-    }
-    return sum / static_cast<double>(image.pixels.size());
-}
-
 void expect_finite(const ImageF& image) {
     EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float v) { return std::isfinite(v) && v >= 0; }));
 }
@@ -163,7 +155,7 @@ TEST_P(Hardships, ALampSwitchedOnAfterABlackMinuteIsRightAtOnce) {
             scene.changes.lights = true;
         }
         const ImageF black = bench.frame(scene, kSize);
-        EXPECT_LT(mean(black), 1e-4) << "lux: what comes through walls";
+        EXPECT_LT(mean_of(black), 1e-4) << "lux: what comes through walls";
         hold_still(scene);
         for (int f = 1; f < kMinute; ++f) {
             bench.app.world().insert_resource(scene);
@@ -203,7 +195,7 @@ TEST_P(Hardships, AnotherViewAndLampAfterTheDark) {
     const ImageF after = bench.frame(scene, kSize);
     Bench fresh;
     fresh.settings = bench.settings;
-    const double share = mean(after) / mean(fresh.frame(all_new(scene), kSize));
+    const double share = mean_of(after) / mean_of(fresh.frame(all_new(scene), kSize));
     std::printf("another view and lamp after the dark: %.4f of the light of a fresh start\n", share);
     EXPECT_NEAR(share, 1, 0.03);
 }

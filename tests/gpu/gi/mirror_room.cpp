@@ -52,23 +52,6 @@ FrameScene mirror_room_with_a_lamp(const Material& mirror) {
     return room(mirror, kEye, kTarget, true);
 }
 
-ImageF radiance_of(Bench& bench, FrameScene scene, ivec2 size, int frames) {
-    for (int f = 0; f < frames; ++f) {
-        bench.show(scene, size);
-        hold_still(scene);
-    }
-    EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
-    return bench.renderer().read(render::Aov::radiance);
-}
-
-double mean_of(const ImageF& image) {
-    double sum = 0;
-    for (const float v : image.pixels) {
-        sum += static_cast<double>(v);
-    }
-    return sum / static_cast<double>(image.pixels.size());
-}
-
 Deviation against_flipped(const ImageF& shown, const ImageF& seen) {
     double squares = 0;
     for (int y = 0; y < shown.height; ++y) {

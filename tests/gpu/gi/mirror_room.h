@@ -15,10 +15,6 @@ FrameScene behind_the_mirror(const Material& mirror);
 // finds.
 FrameScene mirror_room_with_a_lamp(const Material& mirror);
 
-// The last of so many still frames: radiance, nits, three floats a pixel, rows from the top. Fails the test
-// where anything was not a number.
-ImageF radiance_of(Bench& bench, FrameScene scene, ivec2 size, int frames = 1);
-double mean_of(const ImageF& image);
 // What a mirror shows against what is seen from behind it, left and right exchanged.
 Deviation against_flipped(const ImageF& shown, const ImageF& seen);
 // Against the path tracer's radiance in full transport, whose own noise is taken off.

@@ -58,8 +58,8 @@ std::vector<std::string> walk_settings(const FrameScene& scene, const std::vecto
     const std::vector<float> first = still_picture(kept, still, settings, frames);
     std::vector<std::string> altered;
     for (const SettingInfo& info : schema.all()) {
-        if (info.name.starts_with("gi.plan.")) {
-            continue;  // for measuring: work that is done beyond what is needed exchanges maps and shoots
+        if (info.for_measuring) {
+            continue;  // work that is done beyond what is needed exchanges maps and shoots
                        // other photons, which stay
         }
         const std::string before = settings.text(info.name);

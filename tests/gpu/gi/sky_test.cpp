@@ -88,14 +88,6 @@ ImageF still_picture(Bench& bench, FrameScene scene, int frames = 16, ivec2 size
     return image;
 }
 
-double mean_of(const ImageF& image) {
-    double sum = 0;
-    for (const float v : image.pixels) {
-        sum += static_cast<double>(v);
-    }
-    return sum / static_cast<double>(image.pixels.size());
-}
-
 TEST(SkyPlaces, KeepTheImagesFlux) {
     const SkyInstance sky = day();
     const SkyImage& image = *sky.sky.image;

@@ -117,6 +117,24 @@ ImageF Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
     return renderer().read(render::Aov::indirect);
 }
 
+ImageF radiance_of(Bench& bench, FrameScene scene, ivec2 size, int frames) {
+    for (int f = 0; f < frames; ++f) {
+        bench.show(scene, size);
+        hold_still(scene);
+    }
+    EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
+    return bench.renderer().read(render::Aov::radiance);
+}
+
+double mean_of(const ImageF& image) {
+    double sum = 0;
+    for (const float v : image.pixels) {
+        EXPECT_TRUE(std::isfinite(v));
+        sum += static_cast<double>(v);
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
 Deviation deviation_of(const ImageF& image, const std::vector<double>& expected) {
     const auto channels = static_cast<std::size_t>(image.channels);
     EXPECT_EQ(image.pixels.size(), expected.size() * channels);

@@ -70,6 +70,13 @@ class Bench {
     std::vector<gpu::PassTimer::Span> spans;  // of the last timed frame
 };
 
+// The last of so many still frames: radiance, nits, three floats a pixel, rows from the top. Fails the test
+// where anything was not a number.
+ImageF radiance_of(Bench& bench, FrameScene scene, ivec2 size, int frames = 1);
+
+// Over all pixels and channels. Fails the test at a value that is not finite.
+double mean_of(const ImageF& image);
+
 // An image against what it should be.
 struct Deviation {
     double mean = 0;      // mean / expected mean: 1 without bias

@@ -1,7 +1,9 @@
 // Errors that are estimated without a reference, beside the true ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "lanthorn/workbench/all_settings.h"
 #include "tests/support/repository.h"
@@ -10,12 +12,9 @@
 namespace lanthorn::workbench {
 namespace estimate_test {
 
-MotionScene scene_of(const std::string& name, const std::string& camera) {
+MotionScene scene_of(const std::string& name) {
     SceneView view;
     view.time = 0;
-    if (!camera.empty()) {
-        view.camera = camera;
-    }
     return {name, load_scene(support::repository_file("assets/" + name + ".glb"), view), view};
 }
 
@@ -30,22 +29,26 @@ MotionCase with(const SettingsSchema& schema, const std::vector<std::string>& se
     return result;
 }
 
-TEST(ErrorEstimate, IsNearTheTruthWhereItWasFitted) {
+// Of all scenes, by medium with `set` on top.
+std::vector<EstimatePoint> points_of(const std::vector<std::string>& scenes, const MotionJob& job,
+                                     ReferencePairs& references, const std::vector<std::string>& set = {}) {
     SettingsSchema schema;
     declare_all_settings(schema);
+    std::vector<EstimatePoint> points;
+    for (const std::string& scene : scenes) {
+        std::ranges::move(measure_estimates(scene_of(scene), {with(schema, set)}, job, references, [] {}),
+                          std::back_inserter(points));
+    }
+    return points;
+}
+
+TEST(ErrorEstimate, IsNearTheTruthWhereItWasFitted) {
     MotionJob job;
     job.size = {128, 128};
     job.frames = 18;
     job.motions = {Motion::rest, Motion::lamp};
     ReferencePairs references("", 128);
-    std::vector<EstimatePoint> points;
-    for (const auto& [name, camera] :
-         {std::pair<const char*, const char*>{"clutter", ""}, {"lantern-room", ""}}) {
-        for (EstimatePoint& point :
-             measure_estimates(scene_of(name, camera), {with(schema, {})}, job, references, [] {})) {
-            points.push_back(std::move(point));
-        }
-    }
+    const std::vector<EstimatePoint> points = points_of({"clutter", "lantern-room"}, job, references);
     for (const EstimatePoint& p : points) {
         std::printf("%s, %s: relRMSE %.3f (%.3f to %.3f) for %.3f, local %.3f for %.3f\n", p.scene.c_str(),
                     p.motion.c_str(), p.estimate.relrmse.value, p.estimate.relrmse.low,
@@ -58,18 +61,15 @@ TEST(ErrorEstimate, IsNearTheTruthWhereItWasFitted) {
 
 // More rays have less noise, and it is noise that halves tell: four times as many, about half.
 TEST(ErrorEstimate, NoiseByHalvesFallsWithRays) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
     MotionJob job;
     job.size = {96, 96};
     job.frames = 18;
     job.motions = {Motion::rest};
     ReferencePairs references("", 16);
     const auto noise = [&](const char* rays) {
-        const std::vector<EstimatePoint> points = measure_estimates(
-            scene_of("cornell", ""), {with(schema, {std::string("gi.gather.rays=") + rays})}, job, references,
-            [] {});
-        return points.at(0).estimate.relrmse_parts.noise;
+        return points_of({"cornell"}, job, references, {std::string("gi.gather.rays=") + rays})
+            .at(0)
+            .estimate.relrmse_parts.noise;
     };
     const double few = noise("4"), many = noise("16");
     EXPECT_GT(few, 1.5 * many);
@@ -77,17 +77,13 @@ TEST(ErrorEstimate, NoiseByHalvesFallsWithRays) {
 }
 
 TEST(ErrorEstimate, IsNotKnownOfWhatHasNone) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
     MotionJob job;
     job.size = {32, 32};
     job.frames = 4;
     job.motions = {Motion::rest};
     ReferencePairs references("", 4);
     for (const char* set : {"gi.technique=none", "gi.emc.final=splat"}) {
-        EXPECT_TRUE(
-            measure_estimates(scene_of("cornell", ""), {with(schema, {set})}, job, references, [] {}).empty())
-            << set;
+        EXPECT_TRUE(points_of({"cornell"}, job, references, {set}).empty()) << set;
     }
 }
 

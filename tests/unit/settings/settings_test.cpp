@@ -249,6 +249,22 @@ TEST_F(SettingsTest, ListsShowEverythingDeclared) {
     }
 }
 
+TEST(SettingLists, HaveWhatIsForMeasuringInAGroupAtTheEnd) {
+    SettingsSchema schema;
+    schema.declare<bool>("gi.plan.maps").for_measuring();
+    schema.declare<int>("gi.photons");
+    for (const std::string& list : {schema.list_text(), schema.list_markdown()}) {
+        const std::size_t photons = list.find("gi.photons"), heading = list.find("For measuring alone");
+        EXPECT_LT(photons, heading) << list;
+        EXPECT_LT(heading, list.find("gi.plan.maps")) << list;
+        EXPECT_NE(list.find("gi.plan.maps"), std::string::npos) << list;
+    }
+    SettingsSchema none;
+    none.declare<int>("gi.photons");
+    EXPECT_EQ(none.list_text().find("For measuring"), std::string::npos);
+    EXPECT_EQ(none.list_markdown().find("For measuring"), std::string::npos);
+}
+
 TEST(EditDistance, CountsEdits) {
     EXPECT_EQ(edit_distance("", ""), 0u);
     EXPECT_EQ(edit_distance("abc", ""), 3u);

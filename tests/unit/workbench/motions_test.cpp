@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gi_module/reference/scene_hash.h"
+#include "lanthorn/core/error.h"
 #include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::workbench {
@@ -28,6 +29,15 @@ TEST(Swing, GoesThereAndBackAndEndsWhereItBegan) {
     EXPECT_NEAR(swing.before_end(0.35).x, 0.25, 1e-12);
     EXPECT_NEAR(swing.before_end(0.65).x, 0.05, 1e-12);
     EXPECT_EQ(Swing().before_end(3), dvec3(0));
+}
+
+TEST(Motions, HaveNames) {
+    for (const Motion motion : {Motion::rest, Motion::lamp, Motion::dim, Motion::walk, Motion::pan,
+                                Motion::cut, Motion::box, Motion::figure}) {
+        EXPECT_EQ(motion_named(name_of(motion)), motion) << name_of(motion);
+    }
+    EXPECT_EQ(name_of(Motion::figure), "figure");
+    EXPECT_THROW(motion_named("dance"), InputError);
 }
 
 TEST(Motions, EndWhereTheSceneHasEverything) {

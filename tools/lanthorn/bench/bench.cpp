@@ -5,12 +5,8 @@
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/bench/paper_bench.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
@@ -163,28 +159,23 @@ nlohmann::ordered_json row_json(const PaperRow& row, double share, std::uint64_t
 }
 
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
     const double share = parse_share(options.share);
     const std::vector<const PaperRow*> rows = rows_of(options.scenes);
     std::vector<ivec2> sizes;
     for (const std::string& size : options.sizes) {
         sizes.push_back(parse_size("--size", size, 1, kLargestPicture));
     }
-    Settings chosen(schema);
-    options.settings.apply_to(chosen);
+    const ChosenSettings chosen(options.settings);
 
-    Progress progress("measuring", rows.size() * sizes.size() * options.finals.size());
-    std::uint64_t done = 0;
+    MeasuredSteps work("bench", "what was measured until then is printed",
+                       rows.size() * sizes.size() * options.finals.size());
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string renderer;
-    const StopSignal stop;
-    std::optional<Stopped> stopped;
     for (const PaperRow* row : rows) {
         const SceneData scene = paper_scene(*row);
         std::vector<Measured> all;
         const auto measure = [&](const std::string& final, ivec2 size) {
-            Settings settings = chosen;
+            Settings settings = chosen.settings;
             settings.set_from_text("gi.technique", "emc");
             settings.set_from_text("gi.emc.final", final);
             apply_row(*row, share, settings);
@@ -192,17 +183,15 @@ ExitCode run(const Options& options) {
             job.size = size;
             all.push_back({final, size, measure_row(scene, settings, job)});
             renderer = all.back().figures.renderer;
-            progress.update(++done);
+            work.step();
         };
-        try {
+        const bool whole = work.part([&] {
             for (const std::string& final : options.finals) {
                 for (const ivec2 size : sizes) {
                     measure(final, size);
                 }
             }
-        } catch (const Stopped& signal) {
-            stopped = signal;
-        }
+        });
         if (all.empty()) {
             break;  // stopped
         }
@@ -211,7 +200,7 @@ ExitCode run(const Options& options) {
         } else {
             print_row(*row, share, placed_triangles(scene), all);
         }
-        if (stopped) {
+        if (!whole) {
             break;
         }
     }
@@ -228,9 +217,7 @@ ExitCode run(const Options& options) {
         fmt::print("Ours: {}, medians of {} frames. The paper's: GeForce GTX 260.\n", renderer,
                    options.job.frames);
     }
-    if (stopped) {
-        throw *stopped;
-    }
+    work.finish();
     return ExitCode::ok;
 }
 

@@ -15,19 +15,10 @@
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/workbench/scene/light_sources.h"
+#include "tools/workbench/scene/median.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
-
-namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-}  // namespace
 
 SceneData paper_scene(const PaperRow& row) {
     for (const auto* list : {&scene_generator::all_scenes(), &scene_generator::large_scenes()}) {

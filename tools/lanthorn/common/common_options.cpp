@@ -3,8 +3,18 @@
 #include <fmt/format.h>
 
 #include "lanthorn/lamplighter/lamplighter.h"
+#include "lanthorn/workbench/all_settings.h"
 
 namespace lanthorn::tools {
+
+namespace {
+
+const SettingsSchema& with_all_settings(SettingsSchema& schema) {
+    declare_all_settings(schema);
+    return schema;
+}
+
+}  // namespace
 
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
     return command.add_option("SCENE", scene, "glTF 2.0 file (.gltf, .glb)");
@@ -68,6 +78,10 @@ void add_settings_options(CLI::App& command, SettingsChoice& choice) {
     command.add_option("--settings", choice.file, "JSON file of settings: {\"KEY\": VALUE}");
     command.add_option("--set", choice.set, "KEY=VALUE, repeatable: any setting of render --list-settings")
         ->allow_extra_args(false);
+}
+
+ChosenSettings::ChosenSettings(const SettingsChoice& choice) : settings(with_all_settings(schema)) {
+    choice.apply_to(settings);
 }
 
 }  // namespace lanthorn::tools

@@ -34,4 +34,15 @@ struct SettingsChoice {
 };
 void add_settings_options(CLI::App& command, SettingsChoice& choice);
 
+// Every setting, as the command line asks.
+struct ChosenSettings {
+    // Throws InputError as SettingsChoice::apply_to().
+    explicit ChosenSettings(const SettingsChoice& choice);
+    ChosenSettings(const ChosenSettings&) = delete;
+    ChosenSettings& operator=(const ChosenSettings&) = delete;
+
+    SettingsSchema schema;  // that `settings` live by
+    Settings settings;
+};
+
 }  // namespace lanthorn::tools

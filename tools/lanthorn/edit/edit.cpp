@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "lanthorn/workbench/all_settings.h"
 #include "tools/editor/core/edit_script.h"
 #include "tools/editor/core/recovery_log.h"
 #include "tools/lanthorn/commands.h"
@@ -31,14 +30,11 @@ ExitCode run(const Options& options) {
         window.preset = options.settings.preset;
         return open_edit_window(window);
     }
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    ChosenSettings chosen(options.settings);
     if (!options.technique.empty()) {
-        settings.set_from_text("gi.technique", options.technique);
+        chosen.settings.set_from_text("gi.technique", options.technique);
     }
-    editor::EditScript script({options.view, {}}, settings,
+    editor::EditScript script({options.view, {}}, chosen.settings,
                               [](const std::string& line) { fmt::print("{}\n", line); });
     if (!options.scene.empty()) {
         script.session().open(options.scene);

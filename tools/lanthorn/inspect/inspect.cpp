@@ -6,7 +6,6 @@
 #include "engine/core/json.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/render/render_settings.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/motion_tables.h"
@@ -203,14 +202,11 @@ void add_picture_passes(gi::GiPlan& plan, const SceneData& scene, const render::
 }
 
 Plan plan_of(SceneData scene, const SettingsChoice& choice) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    choice.apply_to(settings);
+    const ChosenSettings chosen(choice);
     Plan result;
     result.note = add_default_light(scene, "");
-    result.plan = first_plan(scene, settings);
-    add_picture_passes(result.plan, scene, render::render_settings(settings));
+    result.plan = first_plan(scene, chosen.settings);
+    add_picture_passes(result.plan, scene, render::render_settings(chosen.settings));
     return result;
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -11,11 +10,9 @@
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
-#include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/measure/budget_report.h"
+#include "tools/lanthorn/measure/scene_list.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -30,23 +27,18 @@ struct Options {
 };
 
 ExitCode run(Options options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    const ChosenSettings chosen(options.settings);
     BudgetRunJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
-    job.motion = static_cast<Motion>(std::ranges::find(kMotionNames, options.motion) - kMotionNames.begin());
-    ListedScene listed = listed_scene(options.scene, options.view);
-    SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
-    const MotionScene scene{std::move(listed.name), std::move(data), std::move(listed.view)};
+    job.motion = motion_named(options.motion);
+    const MotionScene scene = open_scene(options.scene, options.view);
     if (!options.output.empty()) {
         std::filesystem::create_directories(options.output);
     }
     const StopSignal stop;
     Progress progress("rendering", static_cast<std::uint64_t>(job.frames));
     std::uint64_t done = 0;
-    const BudgetRecord record = measure_budget(scene, settings, job, [&] {
+    const BudgetRecord record = measure_budget(scene, chosen.settings, job, [&] {
         progress.update(++done);
         stop_if_asked("measure", "nothing is written");
     });

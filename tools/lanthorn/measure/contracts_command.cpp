@@ -11,7 +11,6 @@
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/runtime/shown_scene.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
@@ -32,10 +31,7 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    const ChosenSettings chosen(options.settings);
     const StopSignal stop;
     SceneView view = options.view;
     view.camera = "auto";  // light does not depend on who looks
@@ -46,7 +42,7 @@ ExitCode run(const Options& options) {
         throw InputError(options.scene, "",
                          "found no light_contract, expected {\"light_contract\": {...}} in a node's extras");
     }
-    const reference::LightSplitter light(shown.frame(), reference::path_settings(settings));
+    const reference::LightSplitter light(shown.frame(), reference::path_settings(chosen.settings));
     Progress progress("contracts", contracts.size());
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string lines;

@@ -4,20 +4,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/error.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/measure/estimate_report.h"
+#include "tools/lanthorn/measure/scene_list.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -35,11 +30,9 @@ struct Options {
 };
 
 MotionCase preset_case(const std::string& preset, const Options& options, const SettingsSchema& schema) {
-    MotionCase one{preset, measured_settings(schema)};
     SettingsChoice choice = options.settings;
     choice.preset = preset;
-    choice.apply_to(one.settings);
-    return one;
+    return case_of(preset, choice, schema);
 }
 
 ExitCode run(Options options) {
@@ -47,10 +40,7 @@ ExitCode run(Options options) {
     declare_all_settings(schema);
     MotionJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
-    for (const std::string& name : options.motions) {
-        job.motions.push_back(
-            static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin()));
-    }
+    job.motions = motions_named(options.motions);
     std::vector<MotionCase> cases;
     for (const std::string& preset : options.presets) {
         cases.push_back(preset_case(preset, options, schema));
@@ -59,19 +49,12 @@ ExitCode run(Options options) {
         std::filesystem::create_directories(options.output);
     }
     ReferencePairs references(options.references, options.spp);
-    Progress progress("measuring",
-                      (options.scenes.size() + options.held.size()) * cases.size() * job.motions.size());
-    std::uint64_t steps = 0;
-    const StopSignal stop;
+    MeasuredSteps work("measure", "nothing is written",
+                       (options.scenes.size() + options.held.size()) * cases.size() * job.motions.size());
     std::vector<EstimatePoint> points;
     const auto measure = [&](const std::string& text, bool held) {
-        ListedScene listed = listed_scene(text, options.view);
-        SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
-        const MotionScene scene{std::move(listed.name), std::move(data), std::move(listed.view)};
-        for (EstimatePoint& point : measure_estimates(scene, cases, job, references, [&] {
-                 progress.update(++steps);
-                 stop_if_asked("measure", "nothing is written");
-             })) {
+        const MotionScene scene = open_scene(text, options.view);
+        for (EstimatePoint& point : measure_estimates(scene, cases, job, references, [&] { work.step(); })) {
             point.held = held;
             points.push_back(std::move(point));
         }

@@ -8,6 +8,7 @@
 
 #include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/common/text_table.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::tools {
 
@@ -117,11 +118,6 @@ std::vector<EstimatePoint> chosen(const std::vector<EstimatePoint>& points, bool
     return result;
 }
 
-double median_of(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
-
 }  // namespace
 
 std::string estimate_csv(const std::vector<EstimatePoint>& points) {
@@ -205,7 +201,7 @@ std::string estimate_table(const std::vector<EstimatePoint>& points) {
                            fmt::format("{}, {}", held ? "held" : "fitted", still ? "at rest" : "in motion"),
                            std::to_string(some.size()), share(1.25), share(1.5), share(2),
                            fmt::format("{:.0f} %", 100 * inside / static_cast<double>(some.size())),
-                           fmt::format("{:.2f}", median_of(ratios))});
+                           fmt::format("{:.2f}", median(ratios))});
             }
         }
     }
@@ -218,7 +214,7 @@ std::string estimate_table(const std::vector<EstimatePoint>& points) {
     }
     return table.text() +
            fmt::format("estimate: {:.2f} ms of processor time, median; the frames' indirect light {:.1f}\n",
-                       median_of(cost), median_of(gi));
+                       median(cost), median(gi));
 }
 
 std::string fit_text(const std::vector<EstimatePoint>& points) {

@@ -10,19 +10,14 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/workbench/trade_point.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double share_of(std::vector<double> values, double share) {
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-    std::ranges::nth_element(values, at);
-    return *at;
-}
 
 // Waits for a frame when more than kInFlight are on their way.
 class FramesInFlight {
@@ -62,8 +57,9 @@ void measure_clock(MovingScene& moving, const FramesJob& job, FrameTimes& times)
         before = now;
     }
     times.processor = (processor_ms() - processor) / job.frames;
-    times.median = share_of(apart, 0.5);
-    times.p95 = share_of(apart, 0.95);
+    const Spread spread = spread_of(apart);
+    times.median = spread.median;
+    times.p95 = spread.p95;
 }
 
 void measure_passes(MovingScene& moving, FrameMeter& meter, const FramesJob& job, FrameTimes& times) {
@@ -80,10 +76,10 @@ void measure_passes(MovingScene& moving, FrameMeter& meter, const FramesJob& job
             whole.push_back(sum);
         }
     }
-    times.gpu = share_of(whole, 0.5);
+    times.gpu = median(whole);
     for (const auto& [name, of] : passes) {
         // What not every frame does counts as often as it is done.
-        times.passes[name] = share_of(of, 0.5) * static_cast<double>(of.size()) / job.frames;
+        times.passes[name] = median(of) * static_cast<double>(of.size()) / job.frames;
     }
 }
 

@@ -3,20 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
-#include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/text_table.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/measure/frame_times.h"
+#include "tools/lanthorn/measure/scene_list.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -39,10 +33,6 @@ struct MeasuredScene {
     std::string name;
     std::vector<FrameTimes> motions;
 };
-
-std::string name_of(Motion motion) {
-    return std::string(kMotionNames[static_cast<std::size_t>(motion)]);
-}
 
 void print_table(const MeasuredScene& scene) {
     TextTable frames({scene.name, "frames/s", "median ms", "p95 ms", "passes ms", "processor ms"});
@@ -93,44 +83,35 @@ nlohmann::ordered_json scene_json(const MeasuredScene& scene) {
     return {{"scene", scene.name}, {"motions", std::move(motions)}};
 }
 
-Motion motion_of(const std::string& name) {
-    return static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin());
-}
-
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    const ChosenSettings chosen(options.settings);
     FramesJob job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
 
-    Progress progress("measuring", options.scenes.size() * options.motions.size());
-    std::uint64_t done = 0;
+    const std::vector<Motion> motions = motions_named(options.motions);
+
+    MeasuredSteps work("measure", "what was measured until then is printed",
+                       options.scenes.size() * motions.size());
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string renderer;
-    const StopSignal stop;
-    std::optional<Stopped> stopped;
     for (const std::string& text : options.scenes) {
-        const ListedScene listed = listed_scene(text, options.view);
-        const SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
-        MeasuredScene scene{listed.name, {}};
-        try {
-            for (const std::string& motion : options.motions) {
-                scene.motions.push_back(measure_frames(data, listed.view, motion_of(motion), settings, job));
-                renderer = scene.motions.back().lacking.empty() ? scene.motions.back().renderer : renderer;
-                progress.update(++done);
-                stop_if_asked("measure", "what was measured until then is printed");
+        const MotionScene scene = open_scene(text, options.view);
+        MeasuredScene measured{scene.name, {}};
+        const bool whole = work.part([&] {
+            for (const Motion motion : motions) {
+                measured.motions.push_back(
+                    measure_frames(scene.data, scene.view, motion, chosen.settings, job));
+                const FrameTimes& times = measured.motions.back();
+                renderer = times.lacking.empty() ? times.renderer : renderer;
+                work.step();
             }
-        } catch (const Stopped& signal) {
-            stopped = signal;
-        }
+        });
         if (options.json) {
-            list.push_back(scene_json(scene));
+            list.push_back(scene_json(measured));
         } else {
-            print_table(scene);
+            print_table(measured);
         }
-        if (stopped) {
+        if (!whole) {
             break;
         }
     }
@@ -143,9 +124,7 @@ ExitCode run(const Options& options) {
     } else {
         fmt::print("{}, {} frames of {}x{}.\n", renderer, job.frames, job.size.x, job.size.y);
     }
-    if (stopped) {
-        throw *stopped;
-    }
+    work.finish();
     return ExitCode::ok;
 }
 
@@ -156,10 +135,7 @@ Command add_measure_frames(CLI::App& measure) {
     CLI::App* command = measure.add_subcommand(
         "frames",
         "What frames cost on this machine while something moves: from frame to frame, and by pass.");
-    command
-        ->add_option("SCENE", options->scenes,
-                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
-        ->required();
+    add_scenes_option(*command, options->scenes);
     command
         ->add_option("--motion", options->motions,
                      "rest, lamp, walk, pan, box, figure (default: all), separated by commas")

@@ -2,22 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <optional>
 
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/error.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/measure_motions.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
+#include "tools/lanthorn/measure/scene_list.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -36,15 +30,8 @@ struct Options {
     bool json = false;
 };
 
-MotionScene open_scene(const std::string& text, const SceneView& view) {
-    ListedScene listed = listed_scene(text, view);
-    SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
-    return {std::move(listed.name), std::move(data), std::move(listed.view)};
-}
-
 // "KEY=VALUE ...", "preset=NAME" among them, over what all cases have.
 MotionCase open_case(const std::string& text, const SettingsChoice& common, const SettingsSchema& schema) {
-    MotionCase one{text, measured_settings(schema)};
     SettingsChoice choice = common;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of(" ,", start), text.size());
@@ -56,12 +43,7 @@ MotionCase open_case(const std::string& text, const SettingsChoice& common, cons
         }
         start = end + 1;
     }
-    choice.apply_to(one.settings);
-    return one;
-}
-
-Motion motion_of(const std::string& name) {
-    return static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin());
+    return case_of(text, choice, schema);
 }
 
 ExitCode run(Options options) {
@@ -69,9 +51,7 @@ ExitCode run(Options options) {
     declare_all_settings(schema);
     MotionJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
-    for (const std::string& name : options.motions) {
-        job.motions.push_back(motion_of(name));
-    }
+    job.motions = motions_named(options.motions);
     std::vector<MotionCase> cases;
     for (const std::string& text : options.cases) {
         cases.push_back(open_case(text, options.settings, schema));
@@ -86,25 +66,20 @@ ExitCode run(Options options) {
     }
     ReferencePairs references(options.references, options.spp);
 
-    Progress progress("measuring", scenes.size() * cases.size() * job.motions.size());
-    std::uint64_t steps = 0;
+    MeasuredSteps work("measure", "the scenes that are done are printed",
+                       scenes.size() * cases.size() * job.motions.size());
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    const StopSignal stop;
-    std::optional<Stopped> stopped;
     for (const MotionScene& scene : scenes) {
-        try {
-            const auto figures = measure_motions(scene, cases, job, references, [&] {
-                progress.update(++steps);
-                stop_if_asked("measure", "the scenes that are done are printed");
-            });
+        const bool whole = work.part([&] {
+            const auto figures = measure_motions(scene, cases, job, references, [&] { work.step(); });
             if (options.json) {
                 list.push_back(motions_json(scene, cases, figures));
             } else {
                 fmt::print("{}\n", motions_table(scene, cases, figures, job, references.spp()));
                 std::fflush(stdout);
             }
-        } catch (const Stopped& signal) {
-            stopped = signal;
+        });
+        if (!whole) {
             break;
         }
     }
@@ -119,9 +94,7 @@ ExitCode run(Options options) {
                                     {"scenes", std::move(list)}};
         fmt::print("{}\n", root.dump(2));
     }
-    if (stopped) {
-        throw *stopped;
-    }
+    work.finish();
     return ExitCode::ok;
 }
 
@@ -134,10 +107,7 @@ Command add_measure_motions(CLI::App& measure) {
     CLI::App* command = measure.add_subcommand("motions",
                                                "Error, flicker and time of indirect light while lamp, camera "
                                                "and things move; settings side by side.");
-    command
-        ->add_option("SCENE", options->scenes,
-                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
-        ->required();
+    add_scenes_option(*command, options->scenes);
     command
         ->add_option("--case", options->cases,
                      "repeatable: settings that are measured beside the others, \"KEY=VALUE KEY=VALUE\", "

@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string_view name_of(Motion motion) {
-    return kMotionNames[static_cast<std::size_t>(motion)];
-}
-
 std::string about(Motion motion) {
     switch (motion) {
         case Motion::lamp:
@@ -218,7 +214,7 @@ ordered_json motions_json(const MotionScene& scene, const std::vector<MotionCase
     for (std::size_t c = 0; c < cases.size(); ++c) {
         ordered_json motions = ordered_json::object();
         for (const MotionFigures& f : results[c]) {
-            motions[std::string(name_of(f.motion))] = json_of(f);
+            motions[name_of(f.motion)] = json_of(f);
         }
         list.push_back({{"case", cases[c].name}, {"motions", std::move(motions)}});
     }

@@ -17,7 +17,6 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/shown_scene.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/text_table.h"
@@ -25,6 +24,7 @@
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/photon_choice.h"
 #include "tools/workbench/scene/light_sources.h"
+#include "tools/workbench/scene/median.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -42,11 +42,6 @@ struct Options {
 
 // What is measured to fit the costs.
 constexpr std::pair<int, int> kMeasured[] = {{2000, 100}, {8000, 1600}, {32'000, 400}};
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 // The scene in an App, whose lamps change by their last bit from frame to frame, so that photons are shot in
 // each of them.
@@ -104,18 +99,15 @@ void add_row(TextTable& table, const char* what, const PhotonFrame& f) {
 }
 
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
-    settings.set_from_text("gi.technique", "vertex-map");
-    settings.set_from_text("gi.vertex-map.tree",
-                           "rebuilt");  // the thesis's, whose cost goes with all photons
+    ChosenSettings asked(options.settings);
+    asked.settings.set_from_text("gi.technique", "vertex-map");
+    asked.settings.set_from_text("gi.vertex-map.tree",
+                                 "rebuilt");  // the thesis's, whose cost goes with all photons
     const ivec2 size = parse_size("--size", options.size, 1, kLargestPicture);
     const StopSignal stop;
     SceneData scene = tell_warnings(options.scene, load_scene(options.scene, options.view));
     const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
-    Flickering flickering(std::move(scene), options.view, settings, size);
+    Flickering flickering(std::move(scene), options.view, asked.settings, size);
     Progress progress("runs", std::size(kMeasured) + 1);
     std::vector<PhotonFrame> measured;
     const auto measure = [&](int total, int per_frame) {

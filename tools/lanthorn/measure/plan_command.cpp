@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,15 +13,13 @@
 #include "engine/core/json.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/measure_motions.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/plan_figures.h"
+#include "tools/lanthorn/measure/scene_list.h"
+#include "tools/workbench/scene/median.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -46,32 +43,22 @@ MotionJob job_of(const Options& options) {
     MotionJob job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.frames = options.frames;
-    for (const std::string& name : options.motions) {
-        job.motions.push_back(
-            static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin()));
-    }
+    job.motions = motions_named(options.motions);
     return job;
 }
 
 // All rules on; each off; all off.
 std::vector<MotionCase> cases_of(const Options& options, const SettingsSchema& schema) {
-    Settings planned = measured_settings(schema);
-    options.settings.apply_to(planned);
-    std::vector<MotionCase> cases = {{"planned", planned}};
-    Settings everything = planned;
+    std::vector<MotionCase> cases = {case_of("planned", options.settings, schema)};
+    Settings everything = cases.front().settings;
     for (const RuleSwitch& rule : rule_switches()) {
-        Settings off = planned;
+        Settings off = cases.front().settings;
         off.set<bool>(rule.setting, false);
         everything.set<bool>(rule.setting, false);
         cases.push_back({rule.setting, std::move(off)});
     }
     cases.push_back({"everything on", std::move(everything)});
     return cases;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 // Of what each round found: medians of times; errors and memory are the same in all.
@@ -85,7 +72,7 @@ PlanScene over_rounds(const std::string& name,
         if (!first.front()[m].lacking.empty()) {
             continue;
         }
-        scene.motions.emplace_back(kMotionNames[static_cast<std::size_t>(first.front()[m].motion)]);
+        scene.motions.push_back(name_of(first.front()[m].motion));
         for (std::size_t c = 0; c < first.size(); ++c) {
             const auto all = [&](double MotionFigures::*member) {
                 std::vector<double> values;
@@ -176,27 +163,22 @@ ExitCode run(const Options& options) {
     const PlanFolder folder(options, job);
     ReferencePairs references(folder.references(), options.spp);
     const auto rounds = static_cast<std::size_t>(options.rounds);
-    Progress progress("measuring", options.scenes.size() * rounds * cases.size() * job.motions.size());
-    std::uint64_t steps = 0;
+    const std::uint64_t steps = rounds * cases.size() * job.motions.size();  // of a scene
+    MeasuredSteps work("measure", "the scenes that are done are kept where -o says",
+                       options.scenes.size() * steps);
     std::vector<PlanScene> scenes;
-    const StopSignal stop;
     for (const std::string& text : options.scenes) {
-        const ListedScene listed = listed_scene(text, options.view);
-        if (std::optional<PlanScene> kept = folder.kept(listed.name)) {
+        if (std::optional<PlanScene> kept = folder.kept(listed_scene(text, options.view).name)) {
             scenes.push_back(std::move(*kept));
-            progress.update(steps += rounds * cases.size() * job.motions.size());
+            work.step(steps);
             continue;
         }
-        const MotionScene scene{listed.name, tell_warnings(listed.file, load_scene(listed.file, listed.view)),
-                                listed.view};
+        const MotionScene scene = open_scene(text, options.view);
         std::vector<std::vector<std::vector<MotionFigures>>> of_rounds;
         for (int round = 0; round < options.rounds; ++round) {
-            of_rounds.push_back(measure_motions(scene, cases, job, references, [&] {
-                progress.update(++steps);
-                stop_if_asked("measure", "the scenes that are done are kept where -o says");
-            }));
+            of_rounds.push_back(measure_motions(scene, cases, job, references, [&] { work.step(); }));
         }
-        scenes.push_back(over_rounds(listed.name, of_rounds));
+        scenes.push_back(over_rounds(scene.name, of_rounds));
         folder.keep(scenes.back());
     }
     folder.write(scenes);
@@ -216,10 +198,7 @@ Command add_measure_plan(CLI::App& measure) {
                                                "Each rule by which the plan leaves work out, on and off: "
                                                "milliseconds of processor time, error against "
                                                "path, memory; and all on against all off (docs/plan.md).");
-    command
-        ->add_option("SCENE", options->scenes,
-                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
-        ->required();
+    add_scenes_option(*command, options->scenes);
     command->add_option("-o,--output", options->output,
                         "folder for plan.md, plan.json and, beside them, each scene's figures and "
                         "references: the same command "

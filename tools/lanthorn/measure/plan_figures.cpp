@@ -9,6 +9,7 @@
 #include "engine/core/json.h"
 #include "gi_module/shared/plan_rules.h"
 #include "lanthorn/core/error.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::tools {
 
@@ -22,12 +23,6 @@ double mean(const std::vector<PlanCost>& motions, double PlanCost::*member) {
         sum += cost.*member;
     }
     return sum / static_cast<double>(motions.size());
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
 double frame(const PlanCost& cost) {

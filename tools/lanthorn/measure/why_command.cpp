@@ -12,7 +12,6 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/runtime/shown_scene.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
@@ -47,10 +46,7 @@ ivec2 pixel_of(const std::string& text, ivec2 size) {
 }
 
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    const ChosenSettings chosen(options.settings);
     const ivec2 size = parse_size("--size", options.size, 1, kLargestPicture);
     const ivec2 pixel = pixel_of(options.pixel, size);
     const StopSignal stop;
@@ -62,7 +58,7 @@ ExitCode run(const Options& options) {
     ShownScene shown(std::move(scene), view);
     shown.show_at(view.time.value_or(0));
     const FrameScene& frame = shown.frame();
-    const reference::LightSplitter splitter(frame, reference::path_settings(settings));
+    const reference::LightSplitter splitter(frame, reference::path_settings(chosen.settings));
     const std::optional<reference::LitPoint> point = splitter.seen(frame.camera, size, pixel);
     if (!point) {
         throw InputError(options.scene, fmt::format("pixel {},{}", pixel.x, pixel.y),

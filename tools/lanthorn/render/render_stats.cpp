@@ -2,8 +2,6 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +10,8 @@
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
+#include "lanthorn/workbench/trade_point.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::tools {
 
@@ -23,17 +23,14 @@ constexpr double kMegabyte = 1e6;
 
 // Median and 95th percentile (nearest rank).
 ordered_json spread(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    const double median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
-    return {{"median", median}, {"p95", values[rank - 1]}};
+    const Spread result = spread_of(std::move(values));
+    return {{"median", result.median}, {"p95", result.p95}};
 }
 
 // With the median of the processor time that all threads took, which other load on the machine hardly alters.
 ordered_json spread(std::vector<double> values, std::vector<double> cpu) {
     ordered_json result = spread(std::move(values));
-    result["cpu"] = spread(std::move(cpu)).at("median");
+    result["cpu"] = median(std::move(cpu));
     return result;
 }
 

@@ -3,32 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <string_view>
 #include <thread>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include "engine/build_info/build_info.h"
-#include "gi_module/reference/scene_hash.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/workbench/all_settings.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/render_job.h"
 #include "lanthorn/workbench/trade_measure.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
-#include "tools/lanthorn/common/workbench.h"
-#include "tools/lanthorn/trade/advice_report.h"
+#include "tools/lanthorn/trade/advice_command.h"
+#include "tools/lanthorn/trade/trade_children.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
 #include "tools/workbench/scene/stopping.h"
@@ -39,19 +30,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kReferenceSeed = 7001;  // of no point's photons or paths
-
-struct Options {
-    Sweep sweep;
-    std::vector<std::string> knobs;
-    std::string output, size = "512x512";
-    TradeMeasurement job;
-    int reference_spp = 256;
-    int thumbnail = 96;
-    int seeds = 1;
-    std::string from;  // a finished chart; empty: one is made
-    Wishes wishes;
-    bool markdown = false, json = false;
+struct Options : TradeOptions {
+    AdviceOptions advice;
 };
 
 struct PointOptions {
@@ -61,10 +41,6 @@ struct PointOptions {
     std::string stem;
     int thumbnail = 96;
 };
-
-const char* motion_name(TradeMotion motion) {
-    return motion == TradeMotion::light ? "light" : "camera";
-}
 
 // Sets the motion when the command line has been read.
 void add_motion_option(CLI::App& command, TradeMotion& motion) {
@@ -78,35 +54,8 @@ void add_motion_option(CLI::App& command, TradeMotion& motion) {
         ->check(CLI::IsMember({motion_name(TradeMotion::light), motion_name(TradeMotion::camera)}));
 }
 
-std::string hex_hash(const std::string& text) {
-    return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
-std::string processor() {
-    std::ifstream stream("/proc/cpuinfo");
-    for (std::string line; std::getline(stream, line);) {
-        if (line.starts_with("model name")) {
-            return line.substr(line.find(':') + 2);
-        }
-    }
-    return "unknown processor";
-}
-
-// Settings of the path tracer that every point has hold for the references too where they say what light does
-// at surfaces: not how many samples are taken, nor when it ends.
-std::vector<std::string> of_references(const Options& options) {
-    constexpr std::array<std::string_view, 2> kKept = {"path.transport=", "path.caustics="};
-    std::vector<std::string> list;
-    for (const std::string& assignment : options.sweep.common) {
-        if (std::ranges::any_of(kKept, [&](std::string_view name) { return assignment.starts_with(name); })) {
-            list.push_back(assignment);
-        }
-    }
-    return list;
-}
-
 // In words.
-std::string transport_of_references(const Options& options) {
+std::string transport_of_references(const TradeOptions& options) {
     for (const std::string& assignment : of_references(options)) {
         if (assignment.starts_with("path.transport=")) {
             return assignment.substr(15) + " transport";
@@ -115,188 +64,7 @@ std::string transport_of_references(const Options& options) {
     return "diffuse transport (pictures: full)";
 }
 
-// The files of one run, and what tells one measurement from another.
-class TradeFolder {
-  public:
-    explicit TradeFolder(const Options& options) : options_(options), folder_(options.output) {
-        for (const fs::path& path : {folder_ / "points", folder_ / "references"}) {
-            std::error_code error;
-            fs::create_directories(path, error);
-            if (error) {
-                throw InputError(path.string(), "", "cannot be made: " + error.message());
-            }
-        }
-        for (const char* name :
-             {"trade.csv", "trade.svg", "trade.html", "points/probe", "references/probe"}) {
-            check_writable(folder_ / name);
-        }
-        for (const std::string& scene : options.sweep.scenes) {
-            const ListedScene listed = listed_scene(scene, options.job.view);
-            ShownScene shown(tell_warnings(listed.file, load_scene(listed.file, listed.view)), listed.view);
-            shown.show_at(options.job.view.time.value_or(0));
-            hashes_[scene] = reference::scene_hash(shown.frame());
-        }
-    }
-
-    fs::path file(const std::string& name) const { return folder_ / name; }
-
-    // Where a point's figures are kept: another build's are not this one's.
-    fs::path stem(const TradePoint& point, const SettingsSchema& schema) const {
-        const TradeMeasurement& job = options_.job;
-        const std::string key =
-            fmt::format("{:x} {} {} {}x{} {} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
-                        point.settings(schema).to_json(), job.size.x, job.size.y, job.frames, job.warmup,
-                        motion_name(job.motion), options_.reference_spp, options_.thumbnail, kCommit,
-                        kBuildType, processor());
-        return folder_ / "points" / (point.scene_name() + '-' + hex_hash(key));
-    }
-
-    // Without ending and AOV. `bounces` 0: all there are.
-    fs::path reference(const std::string& scene, int bounces) const {
-        std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
-                                      options_.job.size.y, options_.reference_spp);
-        for (const std::string& assignment : of_references(options_)) {
-            key += ' ' + assignment;
-        }
-        return folder_ / "references" /
-               fmt::format("{}-{}-{}", listed_scene(scene, {}).name,
-                           bounces == 0 ? "all" : std::to_string(bounces), hex_hash(key));
-    }
-    TradeReferences references(const TradePoint& point, const SettingsSchema& schema) const {
-        const std::string same = reference(point.scene, point.settings(schema).get<int>("gi.bounces"));
-        const std::string all = reference(point.scene, 0);
-        return {same + "-indirect.exr", all + "-indirect.exr", all + "-final.exr"};
-    }
-
-  private:
-    const Options& options_;
-    fs::path folder_;
-    std::map<std::string, std::uint64_t> hashes_;
-};
-
-// As run_child(), for this program: its errors without the name that they start with.
-ChildOutcome run_own(const std::vector<std::string>& arguments) {
-    std::vector<std::string> command = {own_executable()};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    ChildOutcome outcome = run_child(command);
-    constexpr std::string_view kName = "lanthorn: ";
-    if (outcome.last_line.starts_with(kName)) {
-        outcome.last_line.erase(0, kName.size());
-    }
-    return outcome;
-}
-
-// For a command that shows what `view` does; its time is given always.
-std::vector<std::string> view_arguments(const SceneView& view) {
-    std::vector<std::string> arguments = {"--time", fmt::format("{}", view.time.value_or(0))};
-    if (!view.camera.empty()) {
-        arguments.insert(arguments.end(), {"--camera", view.camera});
-    }
-    if (!view.animation.empty()) {
-        arguments.insert(arguments.end(), {"--animation", view.animation});
-    }
-    if (!view.default_light) {
-        arguments.emplace_back("--no-default-light");
-    }
-    if (!view.variant.empty()) {
-        arguments.insert(arguments.end(), {"--variant", view.variant});
-    }
-    if (view.allow_outside) {
-        arguments.emplace_back("--allow-outside");
-    }
-    if (!view.environment.empty()) {
-        arguments.insert(arguments.end(), {"--environment", view.environment, "--environment-intensity",
-                                           fmt::format("{}", view.environment_intensity)});
-    }
-    return arguments;
-}
-
-// Traces a reference unless it is there. An interrupted one is not kept.
-void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene, int bounces,
-                    const StopSignal& stop) {
-    const fs::path stem = folder.reference(scene, bounces);
-    const ListedScene listed = listed_scene(scene, options.job.view);
-    const std::vector<std::string> aovs =
-        bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
-    if (std::ranges::all_of(
-            aovs, [&](const std::string& aov) { return fs::exists(stem.string() + '-' + aov + ".exr"); })) {
-        return;
-    }
-    for (const std::string& aov : aovs) {
-        const std::string part = stem.string() + '-' + aov + ".part.exr";
-        std::vector<std::string> command = {
-            "render",
-            listed.file,
-            "-o",
-            part,
-            "--technique",
-            "path",
-            "--aov",
-            aov,
-            "--size",
-            options.size,
-            "--seed",
-            std::to_string(kReferenceSeed),
-            "--spp",
-            std::to_string(options.reference_spp),
-            "--set",
-            bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
-        if (aov == "indirect") {
-            command.insert(command.end(), {"--set", "path.transport=diffuse"});  // said on the chart
-        }
-        for (const std::string& assignment : of_references(options)) {
-            command.insert(command.end(), {"--set", assignment});
-        }
-        const std::vector<std::string> view = view_arguments(listed.view);
-        command.insert(command.end(), view.begin(), view.end());
-        const ChildOutcome outcome = run_own(command);
-        if (stop.asked() || !outcome.ok()) {
-            std::error_code ignored;
-            fs::remove(part, ignored);
-        }
-        if (stop.asked()) {
-            return;
-        }
-        if (!outcome.ok()) {
-            const int code = outcome.signal != 0 ? 1 : outcome.code;
-            throw Error(static_cast<ExitCode>(code),
-                        fmt::format("trade: reference of {}: {}", scene, outcome.why()));
-        }
-        const std::string whole = stem.string() + '-' + aov + ".exr";
-        std::error_code error;
-        fs::rename(part, whole, error);
-        if (error) {
-            throw InputError(whole, "", "cannot be written: " + error.message());
-        }
-    }
-}
-
-std::vector<std::string> point_command(const TradePoint& point, const Options& options,
-                                       const TradeReferences& references, const fs::path& stem) {
-    const TradeMeasurement& job = options.job;
-    std::vector<std::string> command = {"trade-point",   point.scene, "--technique",
-                                        point.technique, "--preset",  point.preset};
-    const std::vector<std::string> view = view_arguments(job.view);
-    command.insert(command.end(), view.begin(), view.end());
-    const std::pair<const char*, int> numbers[] = {{"--width", job.size.x},
-                                                   {"--height", job.size.y},
-                                                   {"--frames", job.frames},
-                                                   {"--warmup", job.warmup},
-                                                   {"--thumbnail", options.thumbnail}};
-    for (const auto& [name, number] : numbers) {
-        command.insert(command.end(), {name, std::to_string(number)});
-    }
-    command.insert(command.end(), {"--motion", motion_name(job.motion), "--same", references.same, "--all",
-                                   references.all, "--final", references.final, "-o", stem.string()});
-    for (const auto* list : {&point.common, &point.assignments}) {
-        for (const std::string& assignment : *list) {
-            command.insert(command.end(), {"--set", assignment});
-        }
-    }
-    return command;
-}
-
-TradeContext context_of(const Options& options, const std::vector<TradeResult>& results) {
+TradeContext context_of(const TradeOptions& options, const std::vector<TradeResult>& results) {
     TradeContext context;
     context.machine = fmt::format("{}, {} threads", processor(), std::thread::hardware_concurrency());
     for (const TradeResult& r : results) {
@@ -318,7 +86,8 @@ TradeContext context_of(const Options& options, const std::vector<TradeResult>& 
     return context;
 }
 
-void write_reports(const TradeFolder& folder, const Options& options, std::vector<TradeResult>& results) {
+void write_reports(const TradeFolder& folder, const TradeOptions& options,
+                   std::vector<TradeResult>& results) {
     const std::vector<bool> front = pareto_front(results, trade_measures().front().error);
     for (std::size_t i = 0; i < results.size(); ++i) {
         results[i].on_front = front[i];
@@ -356,36 +125,13 @@ std::vector<TradeResult> without_seeds(const std::vector<TradeResult>& results, 
     return points;
 }
 
-// Prints what to set; a wish that nothing keeps within fails the check.
-ExitCode advise_by(const std::vector<ChartRow>& rows, const Options& options) {
-    if (options.json) {
-        fmt::print("{}\n", advice_json(rows, options.wishes).dump(2));
-    } else if (options.markdown) {
-        fmt::print("{}", advice_markdown(rows, options.wishes));
-    } else {
-        fmt::print("{}", advice_text(rows, options.wishes, scenes_of(rows).size() > 1));
-    }
-    const std::string missing = unmet(rows, options.wishes);
-    if (!missing.empty()) {
-        throw Error(ExitCode::check_failed, "trade: " + missing);
-    }
-    return ExitCode::ok;
-}
-
-ExitCode advise_from_chart(const Options& options) {
-    if (!options.output.empty()) {
-        throw InputError("trade: found --from and -o, expected one of them: a finished chart, or a new one");
-    }
-    if (!options.wishes.any()) {
-        throw InputError("trade: found --from alone, expected --for-ms or --for-error with it");
-    }
-    const std::vector<ChartRow> rows = read_chart(options.from);
-    return advise_by(options.sweep.scenes.empty() ? rows : of_scenes(rows, options.sweep.scenes), options);
-}
-
 ExitCode trade(Options options) {
-    if (!options.from.empty()) {
-        return advise_from_chart(options);
+    if (!options.advice.from.empty()) {
+        if (!options.output.empty()) {
+            throw InputError(
+                "trade: found --from and -o, expected one of them: a finished chart, or a new one");
+        }
+        return advise_from_chart(options.advice, options.sweep.scenes);
     }
     if (options.sweep.scenes.empty() || options.output.empty()) {
         throw InputError("trade: expected scenes and -o DIR, or --from with a finished chart");
@@ -438,38 +184,7 @@ ExitCode trade(Options options) {
                     fmt::format("trade: {} of {} points lost, the first {} ({}): {}", run.lost, points.size(),
                                 lost->point.label(), lost->point.scene_name(), lost->lost));
     }
-    return options.wishes.any() ? advise_by(chart_rows(run.results), options) : ExitCode::ok;
-}
-
-void add_advice_options(CLI::App& command, Options& options) {
-    command
-        .add_option("--from", options.from,
-                    "a finished chart, its folder or its CSV: measure nothing, advise from it")
-        ->type_name("CHART");
-    Wishes& wishes = options.wishes;
-    command
-        .add_option(
-            "--for-ms", wishes.ms,
-            "print what has the least error within so many milliseconds, separated by commas; exit code "
-            "1 where nothing is as cheap")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(number_between(1e-3, 1e6));
-    command
-        .add_option("--for-error", wishes.errors,
-                    "print what takes the least time up to such a relRMSE of indirect light, separated by "
-                    "commas; exit code 1 where nothing is as good")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(number_between(1e-6, 1e6));
-    command
-        .add_option("--share", wishes.share,
-                    "of the scenes in which that limit must hold: 1 is all of them, 0.75 three of four")
-        ->check(number_between(1e-3, 1))
-        ->capture_default_str();
-    CLI::Option* markdown =
-        command.add_flag("--markdown", options.markdown, "print that advice as a Markdown table");
-    command.add_flag("--json", options.json, "print that advice as one JSON object")->excludes(markdown);
+    return options.advice.wishes.any() ? advise_by(chart_rows(run.results), options.advice) : ExitCode::ok;
 }
 
 ExitCode measure_point(const PointOptions& options) {
@@ -500,7 +215,7 @@ Command add_trade(CLI::App& app) {
         "-o,--output", options->output,
         "folder for trade.csv, trade.svg, trade.html and, below it, what is finished: the same command "
         "again measures only what is missing");
-    add_advice_options(*command, *options);
+    add_advice_options(*command, options->advice);
     command
         ->add_option(
             "--technique", sweep.techniques,

@@ -47,7 +47,7 @@ class Estimates {
                 judge(app, moving.shown().frame(), truth,
                       {.scene = scene_.name,
                        .of = one.name,
-                       .motion = first ? "first" : std::string(kMotionNames[static_cast<int>(motion)]),
+                       .motion = first ? "first" : name_of(motion),
                        .held = false,
                        .estimate = {},
                        .truth = {},

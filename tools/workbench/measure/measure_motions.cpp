@@ -10,6 +10,7 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/workbench/measure/image_changes.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::workbench {
 
@@ -17,15 +18,6 @@ namespace {
 
 constexpr float kNearBox = 0.4f;  // metres
 constexpr double kSure = 3;       // standard errors: the few bright samples of references make two too few
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    std::ranges::sort(values);
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 // Whose own change the flicker is held against.
 bool light_changes(Motion motion) {

@@ -1,5 +1,7 @@
 #include "lanthorn/workbench/motions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,6 +13,7 @@
 #include "gi_module/reference/camera_rays.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
+#include "lanthorn/core/error.h"
 #include "tools/workbench/scene/light_sources.h"
 #include "tools/workbench/scene/moved_nodes.h"
 #include "tools/workbench/scene/placed_box.h"
@@ -133,6 +136,19 @@ vec3 right_of(const CameraView& camera) {
 }
 
 }  // namespace
+
+std::string name_of(Motion motion) {
+    return std::string(kMotionNames[static_cast<std::size_t>(motion)]);
+}
+
+Motion motion_named(std::string_view name) {
+    const auto found = std::ranges::find(kMotionNames, name);
+    if (found == kMotionNames.end()) {
+        throw InputError(
+            fmt::format("found no motion '{}', expected one of {}", name, fmt::join(kMotionNames, ", ")));
+    }
+    return static_cast<Motion>(found - kMotionNames.begin());
+}
 
 dvec3 Swing::before_end(double travelled) const {
     if (reach <= 0) {

@@ -7,6 +7,7 @@
 #include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/trade_point.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::workbench {
 
@@ -35,10 +36,6 @@ constexpr std::pair<const char*, double TradeFigures::*> kNumbers[] = {
     {"gpu_mb", &TradeFigures::gpu_mb},
     {"rss_mb", &TradeFigures::rss_mb},
     {"nan_count", &TradeFigures::nan_count}};
-
-double median(std::vector<double> values) {
-    return spread_of(std::move(values)).median;
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/load_scene.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::workbench {
 
@@ -56,9 +57,8 @@ Settings TradePoint::settings(const SettingsSchema& schema) const {
 Spread spread_of(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t n = values.size();
-    const double median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
     const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
-    return {median, values[rank - 1], values.front()};
+    return {median(values), values[rank - 1], values.front()};
 }
 
 std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error,

@@ -52,8 +52,6 @@ void RememberedHits::build_programs(Search search) {
         list_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_list.comp"},
                              {in_picture, slots_define});
         guide_.build_programs();
-        sort_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_sort.comp"});
-        order_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_order.comp"});
     }
     trace_.build_programs(search);
 }
@@ -86,11 +84,6 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         defines);
     there_program_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_there.comp"},
                                   {defines[2], "KEYS " + std::to_string(kKeysAtOnce) + "u"});
-    shade_ = gpu::Program(
-        {"gi_module/techniques/emc/gather/remembered_shade.comp"},
-        {defines[0], "SLOTS " + std::to_string(slots()), "RAYS " + std::to_string(rays_), "HALVES 0"});
-    shade_halves_ = {};
-    halves_ = {};
     limbs_.emplace(
         std::vector<std::filesystem::path>{"gi_module/techniques/emc/gather/remembered_limbs.comp"}, defines);
     const auto keys = static_cast<std::size_t>(capacity_);
@@ -101,17 +94,13 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         cells_ = gpu::Buffer(starts() * 2 * sizeof(std::uint32_t));
         counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         counts_before_ = gpu::Buffer(counts_.bytes());
-        offsets_.resize(keys);
         guide_.resize({points.row(), points.capacity() / points.row()}, starts());
-        // Until the next follow() a place that was given away stays empty.
-        served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
     }
     there_.resize(starts() * static_cast<std::size_t>(verified_runs(rays_)));
     stale_.resize(entries());
     near_.resize(entries());
     listed_.resize(entries());
-    irradiance_ = gpu::Buffer(keys * sizeof(vec4));
-    known_ = gpu::Buffer(keys * sizeof(float));
+    shading_.resize(of_ == Of::picture, capacity_, slots(), rays_);
     trace_.resize(entries());
     forget();
 }
@@ -352,7 +341,7 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
 }
 
 RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
-    return {{points.row(), points.capacity() / points.row()},      cells_,       counts_, irradiance_,
+    return {{points.row(), points.capacity() / points.row()},      cells_,       counts_, irradiance(),
             [this](const gpu::Program& program) { use(program); }, slots_in_use_};
 }
 
@@ -438,7 +427,7 @@ void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& ra
     }
     if (of_ == Of::picture) {
         const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");
-        sort();
+        shading_.sort(shaded_hits(), slots_in_use_);
     }
 }
 
@@ -470,63 +459,16 @@ void RememberedHits::collect(const RayScene& rays) {
                         kRayOriginOffset * rays.maps.extent(rays.scene));
 }
 
-void RememberedHits::sort() {
-    offsets_.add_up(counts_);
-    served_.fill(0xffffffffu);
-    use(sort_);
-    cells_view_.bind(0, cells_, GL_RG32UI);
-    offsets_view_.bind(1, offsets_.sums(), GL_R32UI);
-    sort_.set("cells", 0);
-    sort_.set("offsets", 1);
-    served_.bind_storage(2);
-    dispatch_rows(capacity_, slots_in_use_);
-    wait_for_shaders();
-    use(order_);
-    counts_view_.bind(0, counts_, GL_R32UI);
-    order_.set("counts", 0);
-    order_.set("offsets", 1);
-    dispatch_rows(capacity_, 1);
-    wait_for_shaders();
-}
-
-void RememberedHits::shade_by(const gpu::Program& program, const SurfacePoints& points,
-                              const gpu::Buffer& radiosity) {
-    use(program);
-    radiosity_view_.bind(0, radiosity, GL_RGBA32F);
-    program.set("radiosity", 0);
-    if (of_ == Of::picture) {
-        served_view_.bind(1, served_, GL_R32UI);
-        offsets_view_.bind(2, offsets_.sums(), GL_R32UI);
-        counts_view_.bind(3, counts_, GL_R32UI);
-        program.set("served", 1);
-        program.set("offsets", 2);
-        program.set("counts", 3);
-    } else {
-        keys_view_.bind(1, points.keys(), GL_R32UI);
-        program.set("keys", 1);
-    }
-    points.bind_storage();
-    irradiance_.bind_storage(1);
-    known_.bind_storage(2);
-    points.dispatch();
-    wait_for_shaders();
+RememberedShading::Hits RememberedHits::shaded_hits() {
+    return {cells_, counts_, [this](const gpu::Program& program) { use(program); }};
 }
 
 const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu::Buffer& radiosity) {
-    shade_by(shade_, points, radiosity);
-    return irradiance_;
+    return shading_.shade(shaded_hits(), points, radiosity);
 }
 
 const gpu::Buffer& RememberedHits::halves(const SurfacePoints& points, const gpu::Buffer& radiosity) {
-    if (!shade_halves_) {
-        shade_halves_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_shade.comp"},
-                                     {"IN_PICTURE 1", "SLOTS " + std::to_string(slots()),
-                                      "RAYS " + std::to_string(rays_), "HALVES 1"});
-        halves_ = gpu::Buffer(irradiance_.bytes());
-    }
-    halves_.bind_storage(6);
-    shade_by(shade_halves_, points, radiosity);
-    return halves_;
+    return shading_.halves(shaded_hits(), points, radiosity);
 }
 
 std::uint64_t RememberedHits::shot() const {
@@ -535,8 +477,7 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           offsets_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() +
-           there_.bytes();
+           shading_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() + there_.bytes();
 }
 
 }  // namespace lanthorn::gi

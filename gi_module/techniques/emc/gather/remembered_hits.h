@@ -8,8 +8,8 @@
 
 #include "gi_module/techniques/emc/gather/kept_rays.h"
 #include "gi_module/techniques/emc/gather/mover_programs.h"
-#include "gi_module/techniques/emc/gather/prefix_sums.h"
 #include "gi_module/techniques/emc/gather/remembered_guide.h"
+#include "gi_module/techniques/emc/gather/remembered_shading.h"
 #include "gi_module/techniques/emc/gather/remembered_trace.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 
@@ -66,8 +66,10 @@ class RememberedHits {
     // picture: by start, the point it serves first), `remembered`, `starts` and `flights`.
     void bind(const gpu::Program& program);
 
-    const gpu::Buffer& irradiance() const { return irradiance_; }  // of the last shade()
-    const gpu::Buffer& known() const { return known_; }  // float by point: rays behind its irradiance
+    const gpu::Buffer& irradiance() const { return shading_.irradiance(); }  // of the last shade()
+    const gpu::Buffer& known() const {
+        return shading_.known();
+    }  // float by point: rays behind its irradiance
     // Rays of the last shoot(); waits for the GPU.
     std::uint64_t shot() const;
     std::size_t bytes() const;
@@ -84,10 +86,9 @@ class RememberedHits {
     void shoot_round(const SurfacePoints& points, const RayScene& rays, Round round);
     void list(const SurfacePoints& points, const RayScene& rays, Round round);
     RememberedGuide::Hits guided_hits(const SurfacePoints& points);
+    RememberedShading::Hits shaded_hits();
     void dispatch_listed(const EntryList& list);
-    void sort();
     void use(const gpu::Program& program);
-    void shade_by(const gpu::Program& program, const SurfacePoints& points, const gpu::Buffer& radiosity);
     const char* span(const char* of_picture, const char* of_maps) const {
         return of_ == Of::lit_maps ? of_maps : of_picture;
     }
@@ -113,33 +114,26 @@ class RememberedHits {
     bool followed_ = false;           // since the last shoot()
     RememberedTrace trace_;
     RememberedGuide guide_;
+    RememberedShading shading_;
     vec3 looked_{0, 0, -1};  // of the last follow(): the way the camera looked, and its place in the world
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
-    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, sort_, order_, shade_,
-        shade_halves_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
     // By start: slot and key.
     gpu::Buffer starts_;  // vec4: a packed point
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
-    // By point of the picture: how many starts serve it, and where their list begins.
-    gpu::Buffer counts_, counts_before_;
-    PrefixSums offsets_;
-    gpu::Buffer served_;      // uint32: starts, point by point
-    gpu::Buffer parts_;       // what carries starts along (remembered_carry.comp)
-    EntryList there_;         // starts that hold rays, of the last verify()
-    EntryList stale_;         // of the last verify()
-    EntryList near_;          // stale, if movers were as large as the boxes around them; items to look up
-    EntryList listed_;        // to be traced, or looked up again
-    gpu::Buffer irradiance_;  // vec4 by point
-    gpu::Buffer known_;
-    gpu::Buffer halves_;  // vec4 by point, of the last halves()
+    gpu::Buffer counts_, counts_before_;  // by point of the picture: how many starts serve it
+    gpu::Buffer parts_;                   // what carries starts along (remembered_carry.comp)
+    EntryList there_;                     // starts that hold rays, of the last verify()
+    EntryList stale_;                     // of the last verify()
+    EntryList near_;    // stale, if movers were as large as the boxes around them; items to look up
+    EntryList listed_;  // to be traced, or looked up again
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
-        counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
-        lit_points_view_, parts_view_;
+        counts_view_, changed_view_, index_view_, lit_points_view_, parts_view_;
 };
 
 }  // namespace lanthorn::gi

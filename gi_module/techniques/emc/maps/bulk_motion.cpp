@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "gi_module/techniques/emc/maps/instance_key.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -12,10 +14,6 @@ constexpr float kBoxMargin = 0.1f;  // of the box's diagonal
 constexpr double kBulk = 0.5;       // of the area: the bulk is more than this
 constexpr double kAlike = 0.25;     // of the bulk's motion: how much a thing's may differ from it
 constexpr double kBeyond = 0.1;     // of the area, outside the box: then it is given up
-
-std::uint64_t key(const Instance& instance) {
-    return std::uint64_t{instance.id} << 32 | instance.mesh;
-}
 
 float area_of(const Aabb& box) {
     const vec3 size = box.size();
@@ -86,7 +84,7 @@ void BulkMotion::watch(const FrameScene& scene, const Aabb& box) {
         const float area = area_of(instance.bounds);
         const vec3 middle(glm::inverse(instance.transform) * vec4(centre, 1));
         const dvec3 at = scene.origin + dvec3(vec3(instance.transform * vec4(middle, 1)));
-        if (finite(at) && things_.insert({key(instance), {middle, at, area, false}}).second) {
+        if (finite(at) && things_.insert({instance_key(instance), {middle, at, area, false}}).second) {
             area_ += static_cast<double>(area);
         }
     }
@@ -96,7 +94,7 @@ BulkMotion::Step BulkMotion::follow(const FrameScene& scene) {
     std::vector<Moved> moved;
     for (const std::uint32_t i : scene.changes.moved) {
         const Instance& instance = scene.instances[i];
-        const auto found = things_.find(key(instance));
+        const auto found = things_.find(instance_key(instance));
         if (found != things_.end()) {
             Thing& thing = found->second;
             const dvec3 at = scene.origin + dvec3(vec3(instance.transform * vec4(thing.middle, 1)));
@@ -112,7 +110,7 @@ BulkMotion::Step BulkMotion::follow(const FrameScene& scene) {
     origin_ = scene.origin;
     box_ = {box_.lower + step.by, box_.upper + step.by};
     const auto look = [&](const Instance& instance) {
-        const auto found = things_.find(key(instance));
+        const auto found = things_.find(instance_key(instance));
         if (found != things_.end() && found->second.outside == holds(instance.bounds)) {
             Thing& thing = found->second;
             thing.outside = !thing.outside;

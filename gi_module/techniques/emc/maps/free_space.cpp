@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gi_module/techniques/emc/maps/instance_key.h"
+
 namespace lanthorn::gi {
 
 namespace {
 
 constexpr double kCells = 1 << 20;
-
-std::uint64_t key(const Instance& instance) {
-    return std::uint64_t{instance.id} << 32 | instance.mesh;
-}
 
 bool takes_space(const FrameScene& scene, const Instance& instance) {
     const Material& material = scene.material(instance);
@@ -94,7 +92,7 @@ FreeSpace::FreeSpace(const FrameScene& scene, const Aabb& bounds) {
     fronts_.assign(taken_.size(), 0);
     for (const Instance& instance : scene.instances) {
         if (takes_space(scene, instance)) {
-            placed_[key(instance)] = instance.transform;
+            placed_[instance_key(instance)] = instance.transform;
             fill(InstanceShape(scene, instance), instance.transform, scene.material(instance).double_sided,
                  1);
         }
@@ -156,7 +154,7 @@ bool FreeSpace::leave_out(const FrameScene& scene, std::span<const std::uint32_t
     bool any = false;
     for (const std::uint32_t i : moved) {
         const Instance& instance = scene.instances[i];
-        const auto stood = placed_.find(key(instance));
+        const auto stood = placed_.find(instance_key(instance));
         if (stood != placed_.end()) {
             fill(InstanceShape(scene.mesh(instance)), stood->second, scene.material(instance).double_sided,
                  -1);

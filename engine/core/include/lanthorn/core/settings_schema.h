@@ -33,6 +33,7 @@ enum class SettingType { boolean, integer, real, choice };
 struct SettingInfo : ValueInfo {  // its name: lower-case words joined by dots, "gi.emc.count"
     SettingType type = SettingType::real;
     double initial = 0;
+    bool for_measuring = false;  // no picture needs it: listed behind all others
 
     std::string type_name() const;               // "bool", "int", "float", "enum"
     std::string range_text() const;              // "1..64", "march|secant", "true|false"
@@ -102,6 +103,8 @@ class SettingDeclaration {
         }
         return *this;
     }
+    // It makes work that measurements compare with: nothing that a user of pictures turns.
+    SettingDeclaration& for_measuring() { return set(info_.for_measuring, true); }
     // What the paper of its technique has: the value of kPaperPreset.
     SettingDeclaration& as_published(T value) {
         info_.published = setting_number(value);
@@ -142,9 +145,10 @@ class SettingsSchema {
     // choices.
     void check() const;
 
+    // In order of declaration; the tables have those for measuring in a group of their own at the end.
     std::string list_text() const;      // a table for people, with a trailing newline
     std::string list_json() const;      // an array with an object a setting, indented
-    std::string list_markdown() const;  // a table for docs/settings.md
+    std::string list_markdown() const;  // for docs/settings.md
 
   private:
     SettingInfo& add(const std::string& name, SettingType type);

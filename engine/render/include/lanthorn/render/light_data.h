@@ -12,6 +12,8 @@ const uint kLightsBinding = 2u;  // storage (and uniform) buffer binding of the 
 
 const uint kMaxUniformLights = 128u;  // as many as a uniform block of the smallest allowed size holds
 
+const int kLightTexels = 8;  // texels (RGBA32UI) of a LightData
+
 // Texels (RGBA32F) of a node of a tree of lamps (lamp_tree.h).
 const int kLampNodeTexels = 6;
 
@@ -50,7 +52,7 @@ struct LightData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LightData) == 128);
+static_assert(sizeof(LightData) == 16 * kLightTexels);
 }  // namespace lanthorn::render
 #endif
 #endif

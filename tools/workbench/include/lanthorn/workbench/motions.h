@@ -29,6 +29,10 @@ enum class Motion {
 // By their place in Motion; box_rest is no motion of its own.
 inline constexpr std::array<std::string_view, 9> kMotionNames = {"rest", "lamp", "dim",  "walk",  "pan",
                                                                  "cut",  "box",  "rest", "figure"};
+// Its name there.
+std::string name_of(Motion motion);
+// The motion of that name, `rest` for "rest". Throws InputError, which lists the names, for another.
+Motion motion_named(std::string_view name);
 
 // A frame of each motion.
 inline constexpr double kLampStep = 0.02;        // metres

@@ -1,0 +1,30 @@
+// What `lanthorn trade` is asked to measure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lanthorn/workbench/trade_measure.h"
+#include "lanthorn/workbench/trade_point.h"
+#include "tools/lanthorn/common/workbench.h"
+
+namespace lanthorn::tools {
+
+struct TradeOptions {
+    Sweep sweep;
+    std::vector<std::string> knobs;  // for sweep.knobs, as typed
+    std::string output, size = "512x512";
+    TradeMeasurement job;
+    int reference_spp = 256;
+    int thumbnail = 96;  // pixels, width
+    int seeds = 1;
+};
+
+// As --motion has it.
+const char* motion_name(TradeMotion motion);
+
+// "KEY=VALUE" of `options` that hold for the references too: those of the path tracer that say what light
+// does at surfaces, not how many samples are taken nor when it ends.
+std::vector<std::string> of_references(const TradeOptions& options);
+
+}  // namespace lanthorn::tools
