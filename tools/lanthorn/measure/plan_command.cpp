@@ -76,6 +76,7 @@ PlanScene over_rounds(const std::string& name,
         for (std::size_t c = 0; c < first.size(); ++c) {
             const auto all = [&](double MotionFigures::*member) {
                 std::vector<double> values;
+                values.reserve(rounds.size());
                 for (const auto& round : rounds) {
                     values.push_back(round[c][m].*member);
                 }
@@ -175,6 +176,7 @@ ExitCode run(const Options& options) {
         }
         const MotionScene scene = open_scene(text, options.view);
         std::vector<std::vector<std::vector<MotionFigures>>> of_rounds;
+        of_rounds.reserve(rounds);
         for (int round = 0; round < options.rounds; ++round) {
             of_rounds.push_back(measure_motions(scene, cases, job, references, [&] { work.step(); }));
         }

@@ -33,6 +33,7 @@ double frame(const PlanCost& cost) {
 
 std::vector<RuleSwitch> rule_switches() {
     std::vector<RuleSwitch> list;
+    list.reserve(gi::kPlanRules.size() + 1);
     for (const gi::PlanRule& rule : gi::kPlanRules) {
         list.push_back({rule.name, rule.leaves_out});
     }

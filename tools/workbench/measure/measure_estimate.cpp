@@ -194,12 +194,13 @@ EstimateFit fit_estimates(const std::vector<EstimatePoint>& points, EstimatedFig
     }
     fit.weights = fit_weights(fitted);
     std::vector<double> off;
+    off.reserve(fitted.size());
     for (const FittedPoint& point : fitted) {
         off.push_back(std::exp(point.off(fit.weights)));
     }
     std::ranges::sort(off);
     const auto at = [&](double share) {
-        return off[static_cast<std::size_t>(share * static_cast<double>(off.size() - 1) + 0.5)];
+        return off[static_cast<std::size_t>(std::lround(share * static_cast<double>(off.size() - 1)))];
     };
     fit.low = at(0.1);
     fit.high = at(0.9);

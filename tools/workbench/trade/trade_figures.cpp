@@ -81,6 +81,7 @@ TradeResult over_seeds(const std::vector<TradeResult>& of_seeds) {
     }
     const auto all = [&](const auto& value) {
         std::vector<double> values;
+        values.reserve(of_seeds.size());
         for (const TradeResult& one : of_seeds) {
             values.push_back(value(one.figures));
         }
@@ -89,11 +90,12 @@ TradeResult over_seeds(const std::vector<TradeResult>& of_seeds) {
     TradeFigures& f = result.figures;
     for (const auto& [name, member] : kSpreads) {
         for (double Spread::*part : {&Spread::median, &Spread::p95, &Spread::min}) {
-            f.*member.*part = median(all([&](const TradeFigures& one) { return one.*member.*part; }));
+            f.*member.*part =
+                median(all([m = member, part](const TradeFigures& one) { return one.*m.*part; }));
         }
     }
     for (const auto& [name, member] : kNumbers) {
-        f.*member = median(all([&](const TradeFigures& one) { return one.*member; }));
+        f.*member = median(all([m = member](const TradeFigures& one) { return one.*m; }));
     }
     const std::vector<double> errors = all([](const TradeFigures& one) { return one.relrmse; });
     f.seeds = static_cast<double>(errors.size());
