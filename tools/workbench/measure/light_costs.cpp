@@ -153,8 +153,11 @@ bool LightCosts::step() {
         const auto saved = [&](const std::vector<double>& by_round) {
             return 0.5 * (by_round[round_ - 2] + by_round[round_]) - by_round[round_ - 1];
         };
+        const auto noise = [&](const std::vector<double>& by_round) {
+            return std::abs(by_round[round_ - 2] - by_round[round_]);
+        };
         costs_.push_back({lamps_[round_ / 2 - 1], saved(medians_.ms), saved(medians_.cpu_ms),
-                          std::abs(medians_.ms[round_ - 2] - medians_.ms[round_])});
+                          noise(medians_.ms), noise(medians_.cpu_ms)});
     }
     return ++round_ < rounds(lamps_.size());
 }

@@ -46,7 +46,7 @@ class LightCosts {
         // Medians of frames with all lamps, before and after, less that without it: by the clock, and of
         // processor time.
         double ms = 0, cpu_ms = 0;
-        double noise = 0;  // by how the frames with all lamps differ, by the clock
+        double noise = 0, cpu_noise = 0;  // by how the frames with all lamps differ
     };
     const std::vector<Cost>& costs() const { return costs_; }  // so far
     int frames() const { return frames_; }                     // drawn so far
