@@ -87,7 +87,9 @@ TEST(Costs, EveryLineThatSomeFrameLeavesOutIsNamedWithItsRules) {
     EXPECT_EQ(costs.left_out[0].pass, "lit_maps");
     EXPECT_EQ(costs.left_out[0].ran, 3);
     EXPECT_EQ(costs.left_out[0].rules, std::vector<std::string>{"gi.plan.light"});
+    EXPECT_EQ(costs.left_out[0].ms, 5);
     EXPECT_EQ(costs.left_out[1].pass, "caustic_photons");
+    EXPECT_FALSE(costs.left_out[1].ms);
     EXPECT_EQ(costs.left_out[1].why, "no specular surface");
     EXPECT_TRUE(costs.left_out[1].rules.empty());
 }

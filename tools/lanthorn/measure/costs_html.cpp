@@ -159,10 +159,12 @@ std::string left_out_html(const MotionCosts& motion) {
                 text_cell(fmt::format("{}", fmt::join(rule.smaller, ", "))) +
                 bar_cell(rule.ms, most, rule.ms < 0 ? "less" : "other") + "</tr>\n";
     }
-    html += "</table>\n<table>" + heading_row({"line of the plan", "done in", "left out by", "why"});
+    html += "</table>\n<table>" +
+            heading_row({"line of the plan", "done in", "would cost, ms", "left out by", "why"});
     for (const LeftOutLine& line : motion.left_out) {
         html += "<tr>" + text_cell(line.pass) +
                 fmt::format("<td>{} of {}</td>", line.ran, motion.planned.frames) +
+                (line.ms ? number_cell(*line.ms) : std::string("<td>-</td>")) +
                 text_cell(line.rules.empty() ? "no rule" : fmt::format("{}", fmt::join(line.rules, ", "))) +
                 text_cell(line.why) + "</tr>\n";
     }

@@ -18,7 +18,11 @@ ordered_json plan_of(const MotionCosts& motion) {
                          {"smaller", rule.smaller}});
     }
     for (const LeftOutLine& line : motion.left_out) {
-        lines.push_back({{"pass", line.pass}, {"ran", line.ran}, {"why", line.why}, {"rules", line.rules}});
+        lines.push_back({{"pass", line.pass},
+                         {"ran", line.ran},
+                         {"why", line.why},
+                         {"rules", line.rules},
+                         {"ms", line.ms ? ordered_json(*line.ms) : ordered_json(nullptr)}});
     }
     return {{"rules", std::move(rules)}, {"lines", std::move(lines)}};
 }

@@ -102,9 +102,10 @@ std::string left_out_text(const MotionCosts& motion) {
                    fmt::format("{}", fmt::join(rule.lines, ", ")),
                    fmt::format("{}", fmt::join(rule.smaller, ", "))});
     }
-    TextTable lines({name + ", left out", "done in", "by", "why"});
+    TextTable lines({name + ", left out", "done in", "would cost ms", "by", "why"});
     for (const LeftOutLine& line : motion.left_out) {
         lines.add({line.pass, fmt::format("{} of {}", line.ran, motion.planned.frames),
+                   line.ms ? fmt::format("{:+.2f}", *line.ms) : std::string("-"),
                    line.rules.empty() ? "no rule" : fmt::format("{}", fmt::join(line.rules, ", ")),
                    line.why});
     }

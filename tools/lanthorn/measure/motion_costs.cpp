@@ -72,10 +72,11 @@ MotionCosts motion_costs(const std::vector<FrameCosts>& planned,
         if (line.ran >= all.frames) {
             continue;
         }
-        LeftOutLine& left = costs.left_out.emplace_back(LeftOutLine{line.pass, line.why, line.ran, {}});
+        LeftOutLine& left = costs.left_out.emplace_back(LeftOutLine{line.pass, line.why, line.ran, {}, {}});
         for (const RuleCost& rule : costs.rules) {
             if (std::ranges::find(rule.lines, line.pass) != rule.lines.end()) {
                 left.rules.push_back(rule.rule.setting);
+                left.ms = std::min(left.ms.value_or(rule.ms), rule.ms);
             }
         }
     }
