@@ -53,10 +53,14 @@ std::vector<std::uint8_t> scaled(const ImageF& picture, ivec2 size) {
 }  // namespace
 
 struct AnimatedPicture::Encoder {
-    Encoder(ivec2 size, float quality) {
+    Encoder(ivec2 size, float quality, Coding coding) {
         WebPAnimEncoderOptions options;
         if (WebPAnimEncoderOptionsInit(&options) == 0 || WebPConfigInit(&config) == 0) {
             fail("libwebp is of another version than its headers");
+        }
+        if (coding == Coding::whole) {
+            options.kmin = 0;
+            options.kmax = 1;  // every picture is a key frame
         }
         config.quality = quality;
         config.method = 2;  // of 0..6: quick, and a tenth larger
@@ -73,8 +77,8 @@ struct AnimatedPicture::Encoder {
     WebPAnimEncoder* all = nullptr;
 };
 
-AnimatedPicture::AnimatedPicture(ivec2 size, float quality)
-    : encoder_(std::make_unique<Encoder>(size, quality)), size_(size) {}
+AnimatedPicture::AnimatedPicture(ivec2 size, float quality, Coding coding)
+    : encoder_(std::make_unique<Encoder>(size, quality, coding)), size_(size) {}
 
 AnimatedPicture::~AnimatedPicture() = default;
 

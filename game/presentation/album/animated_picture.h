@@ -12,8 +12,17 @@ namespace lanthorn::game {
 
 class AnimatedPicture {
   public:
-    // Of `size` pixels; repeated for ever. `quality`: of the lossy coding, 0..100.
-    AnimatedPicture(ivec2 size, float quality);
+    static constexpr int kLargestSide = 16383;  // pixels, of what the format can say
+
+    // How pictures are coded.
+    enum class Coding {
+        changes,  // what hardly differs from the picture before stays as it was: small files
+        whole,    // each by itself, where much moves in every one
+    };
+
+    // Of `size` pixels, at most kLargestSide a side; repeated for ever. `quality`: of the lossy coding,
+    // 0..100.
+    AnimatedPicture(ivec2 size, float quality, Coding coding = Coding::changes);
     ~AnimatedPicture();
     AnimatedPicture(const AnimatedPicture&) = delete;
     AnimatedPicture& operator=(const AnimatedPicture&) = delete;

@@ -193,9 +193,10 @@ TEST(MeasureCommand, PhotonsAreThoseThatAFrameHasTimeFor) {
 }
 
 TEST(MeasureCommand, BadInputIsOneLine) {
-    expect_refused({},
-                   "expected hits, coverage, flicker, energy, effects, motions, frames, estimate, budget, "
-                   "photons, plan, why or contracts");
+    expect_refused(
+        {},
+        "expected hits, coverage, flicker, energy, effects, motions, frames, costs, estimate, budget, "
+        "photons, plan, why or contracts");
     expect_refused({"beauty", asset("cornell")}, "beauty");
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");

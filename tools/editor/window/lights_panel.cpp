@@ -99,7 +99,7 @@ void gain_cells(const EditorState& state, const LightRow& row) {
                : std::string("measured when the hand rests"));
     const bool given = found != state.gains.end();
     const double share = given ? found->second.share : 0;
-    const bool little = given && share < editor::kWorthHaving;
+    const bool little = given && share < workbench::kWorthHaving;
     cell(!given                       ? "?"
          : share > 0 && share < 0.001 ? "< 0.1 %"
          : share < 0.1                ? fmt::format("{:.1f} %", 100 * share)

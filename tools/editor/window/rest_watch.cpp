@@ -74,7 +74,7 @@ void RestWatch::measure_one(const Job& job, std::uint64_t number, const std::sto
             }
             figures.contracts.push_back(check_contract(contract, light, {}));
         }
-        figures.shares = editor::light_shares(light, job.frame.camera, job.size);
+        figures.shares = workbench::light_shares(light, job.frame.camera, job.size);
     }
     const bool no_error = job.indirect.pixels.empty();
     if (!tell(figures, no_error, number) || no_error) {

@@ -12,14 +12,14 @@
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "tools/editor/core/error_map.h"
-#include "tools/editor/core/light_costs.h"
 #include "tools/workbench/measure/light_contracts.h"
+#include "tools/workbench/measure/light_shares.h"
 
 namespace lanthorn::edit_window {
 
 struct RestFigures {
     std::vector<workbench::ContractVerdict> contracts;
-    std::vector<editor::LightShare> shares;
+    std::vector<workbench::LightShare> shares;
     std::optional<editor::ErrorMap> error;  // not yet; or the technique is the reference itself
 };
 

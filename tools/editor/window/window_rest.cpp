@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lanthorn/runtime/render_plugin.h"
+#include "tools/editor/core/document_light_costs.h"
 #include "tools/editor/core/same_as_game.h"
 #include "tools/editor/window/window_state.h"
 
@@ -29,7 +30,7 @@ void EditorWindow::State::take_rest_figures(RestFigures figures) {
     for (auto& [node, gain] : e.gains) {
         gain.share = 0;
     }
-    for (const editor::LightShare& share : figures.shares) {
+    for (const workbench::LightShare& share : figures.shares) {
         const std::uint32_t node =
             share.source.kind == reference::LightKind::punctual ? node_with(share.entity) : kNone;
         if (node != kNone) {
@@ -97,7 +98,7 @@ void EditorWindow::State::measure_costs(ivec2 size) {
     }
     try {
         if (!costs) {
-            costs = std::make_unique<editor::LightCosts>(session, e.settings, size);
+            costs = editor::document_light_costs(session, e.settings, size);
             for (auto& [node, gain] : e.gains) {
                 gain.ms.reset();
             }
@@ -106,8 +107,8 @@ void EditorWindow::State::measure_costs(ivec2 size) {
         }
         const bool goes_on = costs->step();
         window.context().make_current();
-        for (const editor::LightCosts::Cost& cost : costs->costs()) {
-            if (const std::uint32_t node = node_with(cost.entity); node != kNone) {
+        for (const workbench::LightCosts::Cost& cost : costs->costs()) {
+            if (const std::uint32_t node = node_with(cost.lamp.entities.front().index); node != kNone) {
                 e.gains[node].ms = cost.ms;
                 e.gains[node].ms_noise = cost.noise;
             }

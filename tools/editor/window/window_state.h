@@ -25,6 +25,7 @@
 #include "tools/editor/window/file_watch.h"
 #include "tools/editor/window/input_queue.h"
 #include "tools/editor/window/viewport.h"
+#include "tools/workbench/measure/light_costs.h"
 
 namespace lanthorn::edit_window {
 
@@ -99,7 +100,7 @@ struct EditorWindow::State {
     RestWatch rest_watch;
     int measured_frame = -1;  // that the watch looks at, or has looked at; -1: none
     double rest_since = 0;
-    std::unique_ptr<editor::LightCosts> costs;  // being measured
+    std::unique_ptr<workbench::LightCosts> costs;  // being measured
     // window_play.cpp
     void play_here();
     void follow_play();

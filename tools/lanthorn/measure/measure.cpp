@@ -1,6 +1,6 @@
 // lanthorn measure
-// hits|coverage|flicker|energy|effects|motions|frames|estimate|budget|photons|plan|why|contracts SCENE: what
-// an image cannot tell of the indirect light.
+// hits|coverage|flicker|energy|effects|motions|frames|costs|estimate|budget|photons|plan|why|contracts SCENE:
+// what an image cannot tell of the indirect light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -20,6 +20,7 @@
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/budget_command.h"
 #include "tools/lanthorn/measure/contracts_command.h"
+#include "tools/lanthorn/measure/costs_command.h"
 #include "tools/lanthorn/measure/estimate_command.h"
 #include "tools/lanthorn/measure/frames_command.h"
 #include "tools/lanthorn/measure/measure_report.h"
@@ -217,10 +218,11 @@ Command add_measure(CLI::App& app) {
     add_effects_options(*command->get_subcommand("effects"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const std::vector<std::pair<const char*, Command>> others = {
-        {"motions", add_measure_motions(*command)},   {"frames", add_measure_frames(*command)},
-        {"estimate", add_measure_estimate(*command)}, {"budget", add_measure_budget(*command)},
-        {"photons", add_measure_photons(*command)},   {"plan", add_measure_plan(*command)},
-        {"why", add_measure_why(*command)},           {"contracts", add_measure_contracts(*command)}};
+        {"motions", add_measure_motions(*command)},    {"frames", add_measure_frames(*command)},
+        {"costs", add_measure_costs(*command)},        {"estimate", add_measure_estimate(*command)},
+        {"budget", add_measure_budget(*command)},      {"photons", add_measure_photons(*command)},
+        {"plan", add_measure_plan(*command)},          {"why", add_measure_why(*command)},
+        {"contracts", add_measure_contracts(*command)}};
     return [options, command, others] {
         for (const auto& [name, measure] : others) {
             if (command->got_subcommand(name)) {
@@ -234,7 +236,7 @@ Command add_measure(CLI::App& app) {
         }
         throw InputError(
             "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, frames, "
-            "estimate, budget, photons, plan, why or contracts");
+            "costs, estimate, budget, photons, plan, why or contracts");
     };
 }
 

@@ -13,7 +13,6 @@
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/colour.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -28,103 +27,25 @@
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/render/debug_views.h"
+#include "tools/lanthorn/render/outputs.h"
 #include "tools/lanthorn/render/render_stats.h"
-#include "tools/workbench/render/shown_as.h"
+#include "tools/lanthorn/render/turntable.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
-using render::Aov;
-
 struct Options {
-    std::string scene, output, technique, pose, size = "512x512", stats, trace, checkpoint;
+    std::string scene, output, technique, pose, size = "512x512", stats, trace, checkpoint, turntable;
     std::vector<std::string> aovs;
     SettingsChoice settings;
-    std::optional<int> seed, spp;
+    std::optional<int> seed, spp, frames;
     std::optional<float> time_limit, target_noise;
     std::string play_budget;
     RenderJob job;
     bool list_settings = false, list_aovs = false, print_schedule = false;
 };
-
-struct AovKind {
-    const char* name;
-    Aov aov;
-    bool fits_png;  // within 0..1
-    bool fits_hdr;  // three channels, none negative
-};
-constexpr AovKind kAovs[] = {
-    {"final", Aov::final, true, true},       {"indirect", Aov::indirect, false, true},
-    {"direct", Aov::direct, false, true},    {"albedo", Aov::albedo, true, true},
-    {"normal", Aov::normal, false, false},   {"depth", Aov::depth, false, false},
-    {"radiance", Aov::radiance, false, true}};
-
-struct Output {
-    const AovKind* kind = nullptr;        // null: a debug view
-    const gi::DebugView* view = nullptr;  // of the technique
-    std::filesystem::path path;
-};
-
-Output output_of(const std::string& name, const gi::TechniqueEntry& technique) {
-    std::string known;
-    for (const AovKind& kind : kAovs) {
-        if (name == kind.name) {
-            return {&kind, nullptr, {}};
-        }
-        known += (known.empty() ? "" : ", ") + std::string(kind.name);
-    }
-    for (const gi::DebugView& view : technique.debug_views) {
-        if (name == view.name) {
-            return {nullptr, &view, {}};
-        }
-        known +=
-            (&view == &technique.debug_views.front() ? "; of " + technique.name + ' ' : ", ") + view.name;
-    }
-    throw InputError(fmt::format("--aov: found '{}', expected one of {}", name, known));
-}
-
-// One AOV goes to the path itself, several to PATH with -NAME before the ending.
-std::vector<Output> plan_outputs(const Options& options, const gi::TechniqueEntry& technique) {
-    std::vector<Output> outputs;
-    for (const std::string& name : options.aovs) {
-        Output output = output_of(name, technique);
-        std::filesystem::path path = options.output;
-        if (options.aovs.size() > 1) {
-            path.replace_filename(path.stem().string() + "-" + name + path.extension().string());
-        }
-        for (const Output& other : outputs) {
-            if (other.path == path) {
-                throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
-            }
-        }
-        if (output.kind != nullptr && ((!holds_linear(path) && !output.kind->fits_png) ||
-                                       (path.extension() == ".hdr" && !output.kind->fits_hdr))) {
-            throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
-        }
-        check_image_writable(path);
-        output.path = path;
-        outputs.push_back(std::move(output));
-    }
-    return outputs;
-}
-
-// PNG and its like hold display-encoded values, EXR and its like linear ones; `final` is rendered encoded,
-// all others linear.
-ImageF encode(ImageF image, const Output& output) {
-    const bool png = !holds_linear(output.path);
-    if (output.view != nullptr) {
-        return png ? workbench::shown_as(std::move(image), output.view->shown) : image;
-    }
-    const bool encoded = output.kind->aov == Aov::final;
-    if (png != encoded) {
-        for (float& v : image.pixels) {
-            v = encoded ? linear_from_srgb(v) : srgb_from_linear(v);
-        }
-    }
-    return image;
-}
 
 // The path tracer's options need it.
 void check_path_options(const Options& options, bool path) {
@@ -219,6 +140,49 @@ void read_budget(BudgetWish& wish, const std::string& file) {
     }
 }
 
+// A turntable is a file of its own, of frames.
+void check_turntable_alone(const Options& options, bool path) {
+    const std::pair<bool, const char*> others[] = {
+        {!options.output.empty(), "-o"},
+        {!options.aovs.empty(), "--aov"},
+        {!options.stats.empty(), "--stats"},
+        {!options.trace.empty(), "--trace"},
+        {!options.checkpoint.empty(), "--checkpoint"},
+        {options.job.budget.any() || !options.play_budget.empty(), "a budget"},
+        {path, "--technique path"}};
+    for (const auto& [is_given, name] : others) {
+        if (is_given) {
+            throw InputError(fmt::format("--turntable: found {} beside it, expected none", name));
+        }
+    }
+}
+
+// The scene as it is shown: with the camera of --pose, if there is one.
+SceneData scene_of(const Options& options, SceneView& view) {
+    const std::optional<CameraPose> pose =
+        options.pose.empty() ? std::nullopt : std::optional(pose_of(options.pose));
+    SceneData scene = tell_warnings(options.scene, load_scene(options.scene, view));
+    if (pose) {
+        view.camera = add_pose_camera(scene, *pose);
+    }
+    return scene;
+}
+
+ExitCode turn(const Options& options, const Settings& settings) {
+    TurntableJob job;
+    job.size = options.job.size;
+    job.view = options.job.view;
+    job.pictures = options.frames.value_or(kTurntablePictures);
+    job.warmup = options.job.warmup;
+    check_turntable_alone(options, technique_of(settings).is_reference);
+    check_path_options(options, false);
+    check_turntable(options.turntable, job);
+    const StopSignal stop;
+    SceneData scene = scene_of(options, job.view);
+    write_turntable(options.turntable, std::move(scene), settings, job);
+    return ExitCode::ok;
+}
+
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
     const RenderJob& job = options.job;
     if (technique_of(settings).is_reference && job.debug_views.empty()) {
@@ -251,22 +215,27 @@ ExitCode render(Options options) {
         fmt::print("{}", list_debug_views());
         return ExitCode::ok;
     }
-    if (options.scene.empty() || options.output.empty()) {
-        throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
-                                               : "render: no output given, expected -o IMG");
+    if (options.scene.empty() || (options.output.empty() && options.turntable.empty())) {
+        throw InputError(options.scene.empty()
+                             ? "render: no scene given, expected SCENE -o IMG"
+                             : "render: no output given, expected -o IMG or --turntable FILE.webp");
     }
     Settings settings(schema);
     configure(settings, options);
+    RenderJob& job = options.job;
+    job.size = parse_size("--size", options.size, 1, kLargestPicture);
+    if (!options.turntable.empty()) {
+        return turn(options, settings);
+    }
+    job.frames = options.frames.value_or(1);
     if (options.aovs.empty()) {
         options.aovs = {"final"};
     }
-    RenderJob& job = options.job;
-    job.size = parse_size("--size", options.size, 1, kLargestPicture);
     if (!options.play_budget.empty()) {
         read_budget(job.budget, options.play_budget);
     }
     job.timing = !options.stats.empty() || !options.trace.empty() || job.budget.any();
-    std::vector<Output> outputs = plan_outputs(options, technique_of(settings));
+    std::vector<Output> outputs = plan_outputs(options.aovs, options.output, technique_of(settings));
     std::ranges::stable_partition(outputs, [](const Output& o) { return o.kind != nullptr; });
     job.aovs.clear();
     for (const Output& output : outputs) {
@@ -278,8 +247,6 @@ ExitCode render(Options options) {
     }
     check_path_options(options, technique_of(settings).is_reference);
     check_budget(options, technique_of(settings).is_reference);
-    const std::optional<CameraPose> pose =
-        options.pose.empty() ? std::nullopt : std::optional(pose_of(options.pose));
     for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
         if (!path.empty()) {
             check_writable(path);
@@ -288,11 +255,8 @@ ExitCode render(Options options) {
 
     const StopSignal stop;
     const auto start = std::chrono::steady_clock::now();
-    SceneData scene = tell_warnings(options.scene, load_scene(options.scene, job.view));
+    SceneData scene = scene_of(options, job.view);
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
-    if (pose) {
-        job.view.camera = add_pose_camera(scene, *pose);
-    }
     stop_if_asked("render", "nothing is written");
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
@@ -358,10 +322,19 @@ Command add_render(CLI::App& app) {
         "X,Y,Z,YAW,PITCH[,FOV]: look from there instead (metres; degrees: 0,0 along -Z, 90,0 along "
         "-X; 60 high); a default light stays where --camera has it");
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
-    command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
+    command
+        ->add_option("--frames", options->frames,
+                     "frames to measure; the last is written (default: 1). With --turntable: pictures of the "
+                     "turn, 2 to 1000 (default: 48)")
+        ->check(CLI::Range(1, 1000000));
+    command
+        ->add_option("--turntable", options->turntable,
+                     "animated WebP to write instead of an image: the camera goes once round the scene, from "
+                     "where it would stand without this")
+        ->type_name("FILE.webp");
+    command
+        ->add_option("--warmup", options->job.warmup,
+                     "frames to render before, not measured; with --turntable: before each picture")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
     command

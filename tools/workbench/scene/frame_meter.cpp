@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "engine/gpu/memory.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
 
@@ -22,19 +23,24 @@ double wall_ms() {
 // A technique whose processor time is taken, all work of the GPU done where that is the processor too.
 class MeteredTechnique final : public gi::Technique {
   public:
-    MeteredTechnique(std::unique_ptr<gi::Technique> technique, bool software, std::shared_ptr<double> cpu)
-        : technique_(std::move(technique)), software_(software), cpu_(std::move(cpu)) {}
+    MeteredTechnique(std::unique_ptr<gi::Technique> technique, bool software, std::shared_ptr<double> cpu,
+                     std::shared_ptr<FrameMeter::Held> held)
+        : technique_(std::move(technique)),
+          software_(software),
+          cpu_(std::move(cpu)),
+          held_(std::move(held)) {}
 
     void plan(const FrameScene& scene, ivec2 size, const gi::GiSettings& settings) override {
         *cpu_ = 0;
-        measured([&] { technique_->plan(scene, size, settings); });
+        measured(held_->scene, [&] { technique_->plan(scene, size, settings); });
     }
+    render::TracedLobes traced_lobes() const override { return technique_->traced_lobes(); }
     void update(const render::LightInputs& inputs) override {
-        measured([&] { technique_->update(inputs); });
+        measured(held_->scene, [&] { technique_->update(inputs); });
     }
     render::IndirectLight indirect(const render::FrameInputs& inputs) override {
         render::IndirectLight light;
-        measured([&] { light = technique_->indirect(inputs); });
+        measured(held_->picture, [&] { light = technique_->indirect(inputs); });
         return light;
     }
     void add_eyes(DetailHints& hints, const dvec3& origin) const override {
@@ -49,9 +55,11 @@ class MeteredTechnique final : public gi::Technique {
 
   private:
     template <class Step>
-    void measured(const Step& step) {
+    void measured(std::int64_t& held, const Step& step) {
         const double start = processor_ms();
+        const std::size_t before = gpu::allocated_bytes();
         step();
+        held += static_cast<std::int64_t>(gpu::allocated_bytes()) - static_cast<std::int64_t>(before);
         if (software_) {
             glFinish();  // what the timer does at the end of the pass anyway
         }
@@ -61,6 +69,7 @@ class MeteredTechnique final : public gi::Technique {
     std::unique_ptr<gi::Technique> technique_;
     bool software_;
     std::shared_ptr<double> cpu_;
+    std::shared_ptr<FrameMeter::Held> held_;
 };
 
 // What each pass takes itself, into `cost`. Of two passes the inner one ends, and stands, first.
@@ -102,12 +111,15 @@ double processor_ms() {
 }
 
 FrameMeter::FrameMeter(App& app, const Settings& settings, const gpu::Context& context)
-    : app_(&app), software_(context.info().software), gi_cpu_(std::make_shared<double>(0)) {
+    : app_(&app),
+      software_(context.info().software),
+      gi_cpu_(std::make_shared<double>(0)),
+      held_(std::make_shared<Held>()) {
     gi::add_picture_plugins(app, settings, true);
     app.set_threads(1);
     const gi::TechniqueKind kind = gi::gi_settings(settings).technique;
     app.world().insert_resource(gi::ActiveTechnique{
-        std::make_unique<MeteredTechnique>(gi::make_technique(kind), software_, gi_cpu_), kind});
+        std::make_unique<MeteredTechnique>(gi::make_technique(kind), software_, gi_cpu_, held_), kind});
 }
 
 FrameCost FrameMeter::measure(const std::function<void()>& show) {

@@ -1,6 +1,7 @@
 // What frames cost: of a whole frame, and of its indirect light.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -41,10 +42,18 @@ class FrameMeter {
     // `show` shows one frame of the App. Waits for the GPU.
     FrameCost measure(const std::function<void()>& show);
 
+    // Bytes of GPU memory that the technique has taken so far, less what it has given back: for what does not
+    // depend on the camera (maps, light on them, photons), and for the picture.
+    struct Held {
+        std::int64_t scene = 0, picture = 0;
+    };
+    const Held& held() const { return *held_; }
+
   private:
     App* app_;
     bool software_;
     std::shared_ptr<double> gi_cpu_;  // of this frame, milliseconds
+    std::shared_ptr<Held> held_;
 };
 
 }  // namespace lanthorn::workbench
