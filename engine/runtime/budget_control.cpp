@@ -55,6 +55,7 @@ void BudgetControl::set(const Wish& wished, BudgetLadder ladder) {
     wait_ = kSoonest;
     raised_ = false;
     distrust_ = 1;
+    last_error_.reset();
     disturb();
 }
 
@@ -152,6 +153,7 @@ void BudgetControl::frame(const Frame& frame) {
     }
     if (frame.error && std::isfinite(*frame.error)) {
         errors_.push_back(*frame.error);
+        last_error_ = frame.error;
         if (errors_.size() > kErrors) {
             errors_.pop_front();
         }
@@ -275,7 +277,8 @@ std::string BudgetControl::verdict() const {
     if (wish_.error > 0) {
         const std::optional<double> reached = error();
         text += (text.empty() ? "" : "; ") + fmt::format("error {:.3g} wished for, ", wish_.error) +
-                (!reached                               ? "none is known"
+                (!reached && last_error_ ? fmt::format("{:.3g} before the last change", *last_error_)
+                 : !reached              ? "none is known"
                  : *reached <= kErrorOver * wish_.error ? fmt::format("{:.3g} reached", *reached)
                  : wish_.ms > 0 && rung_ > 0
                      ? fmt::format("{:.3g} reached: time comes first", *reached)

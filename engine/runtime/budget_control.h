@@ -94,6 +94,7 @@ class BudgetControl {
     std::size_t rung_ = 0;
     std::deque<Frame> frames_;  // since the last change, the newest last
     std::deque<double> errors_;
+    std::optional<double> last_error_;  // of any rung
     std::int64_t count_ = 0;
     int disturbed_ = 0;    // frames
     double since_ = 0;     // milliseconds since the last change

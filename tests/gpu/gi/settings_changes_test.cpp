@@ -48,8 +48,8 @@ TEST(SettingsChanges, TheGatherIsThatOfAFreshTechnique) {
     // where guided rays go, and more passes go on with the picture that there is (gather_still_test.cpp).
     base.insert(base.end(), {"gi.emc.final=gather", "gi.gather.rays=2", "gi.emc.reserved=0",
                              "gi.gather.guide=false", "gi.gather.endless=false"});
-    const auto altered =
-        walk_settings(room_with_block(), base, RememberedHits::kFrames + 1, {"gi.gather.guide", "gi.accumulate"});
+    const auto altered = walk_settings(room_with_block(), base, RememberedHits::kFrames + 1,
+                                       {"gi.gather.guide", "gi.accumulate"});
     for (const char* name : {"gi.bounces", "gi.seed", "gi.emc.count", "gi.emc.resolution", "gi.emc.search",
                              "gi.emc.final", "gi.gather.grid", "gi.gather.rays", "gi.gather.guide"}) {
         EXPECT_TRUE(has(altered, name)) << name;

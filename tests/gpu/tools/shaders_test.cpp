@@ -1,12 +1,16 @@
 // Every shader, as the programs compile it, is accepted by the reference compiler for GLSL as well: what one
 // driver lets pass, the next may refuse.
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <memory>
 #include <set>
 
+#include "lanthorn/gpu/context.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
@@ -113,15 +117,37 @@ void run_everything(const TemporaryFolder& dump) {
     ASSERT_EQ(lines.code, 0) << lines.out;
 }
 
+// Shader storage blocks that OpenGL 4.5 lets a compute shader use at least
+// (GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS).
+constexpr GLint kPromisedBlocks = 8;
+
+// Storage blocks that a compute shader uses, as the driver finds.
+GLint storage_blocks(const std::string& file) {
+    std::ifstream in(file);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    const char* source = text.c_str();
+    const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
+    GLint linked = 0, blocks = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    EXPECT_EQ(linked, GL_TRUE) << file;
+    glGetProgramInterfaceiv(program, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+    glDeleteProgram(program);
+    return blocks;
+}
+
 TEST(Shaders, AreAcceptedByTheReferenceCompiler) {
     const TemporaryFolder dump;
     run_everything(dump);
     std::set<std::string> unseen = shaders_of_the_tree();
     EXPECT_GT(unseen.size(), 40u);
+    const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
     for (const std::string& file : dump.files()) {
         unseen.erase(without_hash(file));
         const Outcome outcome = testing_tools::run_program(GLSLANG_VALIDATOR, {dump.path(file)});
         EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+        if (file.ends_with(".comp")) {
+            EXPECT_LE(storage_blocks(dump.path(file)), kPromisedBlocks) << file;
+        }
     }
     for (const std::string& name : unseen) {
         ADD_FAILURE() << name << " was compiled by none of the programs that this test runs: add one";

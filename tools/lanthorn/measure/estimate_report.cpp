@@ -65,8 +65,10 @@ std::string panel(const std::vector<EstimatePoint>& points, EstimatedFigure figu
     }
     const double low = range.low / 1.15, high = range.high * 1.15;
     svg += fmt::format(
-        "<path class=\"band\" d=\"M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}H{4:.1f}V{5:.1f}L{6:.1f} {7:.1f}H{0:.1f}Z\"/>\n",
-        x(low), y(kWithin * low), x(high / kWithin), y(high), x(high), y(high / kWithin), x(kWithin * low), y(low));
+        "<path class=\"band\" d=\"M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}H{4:.1f}V{5:.1f}L{6:.1f} "
+        "{7:.1f}H{0:.1f}Z\"/>\n",
+        x(low), y(kWithin * low), x(high / kWithin), y(high), x(high), y(high / kWithin), x(kWithin * low),
+        y(low));
     svg += fmt::format("<path class=\"band\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", x(low), y(low), x(high),
                        y(high));
     const std::vector<std::string> cases = cases_of(points);

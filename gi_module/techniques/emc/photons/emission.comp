@@ -33,13 +33,13 @@ layout(std430, binding = 7) readonly buffer FirstOf { uint first_of[]; };  // by
 
 layout(std430, binding = 0) writeonly buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 3) readonly buffer Emissive { EmissiveTriangleData emissive_triangles[]; };
-layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive, -2: the sky), key
 
 uniform sampler2DArray light_distance;
 uniform sampler2DArray light_normals;
 uniform sampler2DArray light_albedo;
 uniform int photon_count;
 uniform int source_count;
+uniform isamplerBuffer sources;  // first photon, photons, light (-1: emissive, -2: the sky), key
 uniform int emissive_count;
 uniform float emissive_flux;  // luminance-weighted, lumen
 uniform vec4 surroundings;    // a sphere around them: middle, radius; 0: of a scene that has none
@@ -206,8 +206,8 @@ int map_before(vec3 x, vec3 n) {
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= photon_count) return;
-    ivec4 source = sources[0];
-    for (int k = 1; k < source_count && i >= sources[k].x; ++k) source = sources[k];
+    ivec4 source = texelFetch(sources, 0);
+    for (int k = 1; k < source_count && i >= texelFetch(sources, k).x; ++k) source = texelFetch(sources, k);
     uint j = uint(i - source.x) + pass_index * uint(source.y);
     uint number = j + uint(source.w);  // a light's photons keep theirs, whatever becomes of the other lights
     float share = 1.0 / float(source.y);

@@ -238,7 +238,8 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         rays_.bind_storage(0);
         inputs.light_maps.lights().bind_storage(render::kLightsBinding);
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
-        sources_.buffer().bind_storage(4);
+        sources_view_.bind(5, sources_.buffer(), GL_RGBA32I);
+        emission.set("sources", 5);
         bad_values_.bind_storage(5);
         if (by_sky || first) {
             emission.set("first_arrival", photons_ * bounces_);

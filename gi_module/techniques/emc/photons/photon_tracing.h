@@ -61,6 +61,7 @@ class PhotonTracing {
     gpu::Buffer rays_;
     PhotonSet arrived_;
     gpu::GrowingBuffer sources_;
+    gpu::BufferTexture sources_view_;
     gpu::Buffer bad_values_;
     MapRounds rounds_;
     gpu::Texture no_light_map_;
