@@ -1,6 +1,7 @@
 // The real `lanthorn measure costs`: what it writes of scenes whose lights are known, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,9 @@
 // What `lanthorn measure costs` makes of its measurements.
 #include <gtest/gtest.h>
 
-#include <cctype>
+#include <algorithm>
+#include <memory>
+#include <optional>
 #include <string_view>
 
 #include "lanthorn/scene/asset_store.h"
