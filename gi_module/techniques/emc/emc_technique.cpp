@@ -233,6 +233,10 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
     results_.exact_rays = gather_rays_ != nullptr;
     irradiance_ = &gather_.irradiance(inputs, maps_, lit_maps_, movers_, gather_rays_, settings_,
                                       plan_.gather, photons_.bad_values());
+    if (plan_.gather.points || plan_.gather.verify) {
+        still_gather_.end_fade();
+    }
+    irradiance_ = &still_gather_.faded(gather_.picture());
 }
 
 // A still picture whose gather is done.

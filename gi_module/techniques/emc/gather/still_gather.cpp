@@ -14,6 +14,8 @@ namespace {
 // The gathered picture errs about as much as the filtered mean of so many rays a pixel.
 constexpr double kFirstRays = 48;
 
+constexpr int kFadeFrames = 8;
+
 // Of its own rays, beside the gathered picture.
 double own_weight(double rays) {
     return rays / (rays + kFirstRays);
@@ -57,6 +59,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays)
         points_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_points.comp"});
         mean_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_mean.comp"});
         show_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_show.comp"});
+        fade_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_fade.comp"});
     }
     const ivec2 size = inputs.gbuffer.size();
     if (size != size_) {
@@ -65,6 +68,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays)
         mean_ = gpu::Buffer(pixels * sizeof(vec4));
         known_ = gpu::Buffer(pixels * sizeof(float));
         picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
+        corrections_ = gpu::Texture::make_2d(GL_RGBA16F, size);
     }
     size_ = size;
     stride_ = stride_of(size, rays.settings.of<EmcSettings>());
@@ -117,8 +121,28 @@ void StillGather::show(const gpu::Texture& first, double rays) {
     show_program_.set("irradiance", 1);
     show_program_.set("weight", static_cast<float>(own_weight(rays)));
     picture_.bind_image(0, GL_WRITE_ONLY);
+    corrections_.bind_image(1, GL_WRITE_ONLY);
     show_program_.dispatch(size_, ivec2(8));
     wait_for_shaders();
+    fade_left_ = kFadeFrames;
+}
+
+const gpu::Texture& StillGather::faded(const gpu::Texture& gathered) {
+    shown_rays_ = 0;
+    if (fade_left_ == 0) {
+        return gathered;
+    }
+    fade_program_.use();
+    gathered.bind(0);
+    corrections_.bind(1);
+    fade_program_.set("gathered", 0);
+    fade_program_.set("corrections", 1);
+    fade_program_.set("left", static_cast<float>(fade_left_) / (kFadeFrames + 1));
+    picture_.bind_image(0, GL_WRITE_ONLY);
+    fade_program_.dispatch(size_, ivec2(8));
+    wait_for_shaders();
+    --fade_left_;
+    return picture_;
 }
 
 bool StillGather::changes_picture(int pass, int last) {
@@ -127,6 +151,9 @@ bool StillGather::changes_picture(int pass, int last) {
 }
 
 void StillGather::refine(ErrorParts& parts) const {
+    if (shown_rays_ <= 0) {
+        return;
+    }
     const double own = own_weight(shown_rays_), first = (1 - own) * (1 - own);
     parts.noise = first * parts.noise + own * own * parts.contrast / (shown_rays_ * kFilteredPixels);
     parts.blur *= first;
@@ -169,7 +196,7 @@ const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, c
         show(first,
              static_cast<double>(pass) * rays.settings.of<EmcSettings>().gather_rays / (stride_ * stride_));
     }
-    return pass < kFewestPasses && pass < last ? first : picture_;
+    return pass < kFewestPasses && pass < last ? faded(first) : picture_;
 }
 
 }  // namespace lanthorn::gi

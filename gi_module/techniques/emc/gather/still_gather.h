@@ -27,6 +27,13 @@ class StillGather {
                                    const gpu::Texture& first, int pass, int last,
                                    const gpu::Buffer& bad_values);
 
+    // The gathered picture after light alone has changed, the view and surfaces as they were: in the first
+    // frames less and less as much off as the passes have found it to be before, so that nothing jumps. What
+    // its rays bring is shaded otherwise, but they are the same rays, and wrong in about the same way.
+    const gpu::Texture& faded(const gpu::Texture& gathered);
+    // Another view, or other surfaces: nothing is left to fade.
+    void end_fade() { fade_left_ = 0; }
+
     // Whether the picture is another after that pass: after every fourth of the first, later after every few
     // per cent more of them, and after the last.
     static bool changes_picture(int pass, int last);
@@ -52,14 +59,16 @@ class StillGather {
     CloseHits close_{CloseHits::kStillSlots, CloseHits::Of::every_hit};
     GatherLinks links_;  // between pixels
     GatherFilter filter_;
-    gpu::Program surfaces_program_, points_program_, mean_program_, show_program_;
+    gpu::Program surfaces_program_, points_program_, mean_program_, show_program_, fade_program_;
     // By pixel.
     gpu::Buffer surfaces_;  // vec4: packed points
     gpu::Buffer mean_;      // vec4: of all rays so far, lux; a: mean square luminance, < 0: none
     gpu::Buffer known_;     // float: how many these are
     gpu::Texture picture_;
-    double shown_rays_ = 0;  // of a pixel, behind it
-    bool exact_ = false;     // they take direct light where they end
+    gpu::Texture corrections_;  // of the last picture over the gathered one, by pixel and channel
+    int fade_left_ = 0;         // frames
+    double shown_rays_ = 0;     // of a pixel, behind it
+    bool exact_ = false;        // they take direct light where they end
     gpu::BufferTexture irradiance_view_, rays_view_;
 };
 
