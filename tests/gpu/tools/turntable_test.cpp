@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/scene/view.h"
@@ -153,7 +154,7 @@ TEST_F(Turntable, AModelWithoutCameraKeepsItsMiddleAndItsDistance) {
     workbench::SceneView view;
     ShownScene shown(workbench::load_scene(path("model.glb"), view), view);
     shown.show_at(0);
-    const vec3 middle = workbench::framed_middle(shown.frame());
+    const vec3 middle = workbench::framed_box(shown.frame()).centre();
     EXPECT_EQ(middle, shown.frame().bounds.centre());
     const CameraView start = shown.frame().camera;
     for (const double radians : {0.0, 0.5, 3.0, 6.0}) {
@@ -168,6 +169,39 @@ TEST_F(Turntable, AModelWithoutCameraKeepsItsMiddleAndItsDistance) {
     EXPECT_GT(workbench::turned(start, middle, 0.5).position.x, start.position.x);
 }
 
+// A long box fits from the front, and its ends would leave the picture when it is seen along them.
+TEST_F(Turntable, StepsBackWhereAnythingWouldLeaveThePicture) {
+    Aabb box;
+    box.add(vec3(-2, 0, -0.5f));
+    box.add(vec3(2, 1.5f, 0.5f));
+    CameraView start;
+    start.camera.y_fov = glm::radians(45.0f);
+    start.position = vec3(0, 1, 4.2f);
+    start.view = glm::lookAt(start.position, box.centre(), vec3(0, 1, 0));
+    const auto all_in = [&](const CameraView& view, float aspect) {
+        const mat4 clip = projection_matrix(view.camera, aspect, 10) * view.view;
+        bool in = true;
+        for (int i = 0; i < 24 * 8; ++i) {
+            const vec3 at(i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                          i & 4 ? box.upper.z : box.lower.z);
+            const mat4 turn = glm::translate(mat4(1), box.centre()) *
+                              glm::rotate(mat4(1), static_cast<float>(i / 8) * 0.2617994f, vec3(0, 1, 0)) *
+                              glm::translate(mat4(1), -box.centre());
+            const vec4 q = clip * turn * vec4(at, 1);
+            in = in && q.w > 0 && std::abs(q.x) <= 1.0001f * q.w && std::abs(q.y) <= 1.0001f * q.w;
+        }
+        return in;
+    };
+    const CameraView back = workbench::stepped_back(start, box, 24, 1.5f, 10);
+    EXPECT_FALSE(all_in(start, 1.5f)) << "nothing to do";
+    EXPECT_TRUE(all_in(back, 1.5f));
+    EXPECT_LT(glm::distance(back.position, box.centre()), 1.7f * glm::distance(start.position, box.centre()));
+    EXPECT_LT(glm::distance(vec3(back.view * vec4(back.position, 1)), vec3(0)), 1e-5f);
+    // Where it is seen in part from the start, the camera stays.
+    EXPECT_EQ(workbench::stepped_back(start, box, 24, 0.3f, 10), start);
+    EXPECT_EQ(workbench::stepped_back(back, box, 24, 1.5f, 10), back);
+}
+
 TEST_F(Turntable, WhatStandsOnAWideFloorIsInTheMiddle) {
     FrameScene scene;
     Instance floor, thing;
@@ -178,9 +212,9 @@ TEST_F(Turntable, WhatStandsOnAWideFloorIsInTheMiddle) {
     scene.instances = {floor, thing};
     scene.bounds.add(floor.bounds);
     scene.bounds.add(thing.bounds);
-    EXPECT_EQ(workbench::framed_middle(scene), vec3(2.5f, 0.5f, 1.5f));
+    EXPECT_EQ(workbench::framed_box(scene).centre(), vec3(2.5f, 0.5f, 1.5f));
     scene.instances.pop_back();
-    EXPECT_EQ(workbench::framed_middle(scene), scene.bounds.centre());
+    EXPECT_EQ(workbench::framed_box(scene).centre(), scene.bounds.centre());
 }
 
 TEST_F(Turntable, BadInputIsOneLineAndLeavesNothing) {
