@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/all_settings.h"
 
@@ -49,6 +52,17 @@ TEST(PlanFigures, EverythingIsHeldAgainstThePlan) {
     EXPECT_DOUBLE_EQ(ratio.frame, (6 + 2 * all) / 6);
     EXPECT_LT(everything_over_planned(scene("still", 0, 1)).gi, 1e6) << "no division by nothing";
     EXPECT_DOUBLE_EQ(everything_over_planned(scene("nothing", 0, 0)).gi, 1);
+}
+
+// An error below the references' noise is no number; others of the scene still count.
+TEST(PlanFigures, ErrorsThatAreLostInNoiseAreLeftOut) {
+    PlanScene lost = scene("a", 1, 1);
+    lost.cases.front().front().error = std::numeric_limits<double>::quiet_NaN();
+    const PlanScene read = plan_from_json(nlohmann::ordered_json::parse(plan_json(lost).dump()), "a.json");
+    EXPECT_TRUE(std::isnan(read.cases.front().front().error));
+    EXPECT_EQ(plan_markdown({read}), plan_markdown({lost}));
+    EXPECT_EQ(plan_markdown({read}).find("nan"), std::string::npos);
+    EXPECT_TRUE(std::isfinite(rule_figures({read}, 1).error_most));
 }
 
 TEST(PlanFigures, SurviveTheirJson) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "engine/core/json.h"
 #include "gi_module/shared/plan_rules.h"
@@ -23,6 +25,22 @@ double mean(const std::vector<PlanCost>& motions, double PlanCost::*member) {
         sum += cost.*member;
     }
     return sum / static_cast<double>(motions.size());
+}
+
+// Of the motions whose error is above the references' noise; in words, as there may be none.
+std::string mean_error(const std::vector<PlanCost>& motions) {
+    double sum = 0;
+    int count = 0;
+    for (const PlanCost& cost : motions) {
+        sum += std::isfinite(cost.error) ? cost.error : 0;
+        count += std::isfinite(cost.error) ? 1 : 0;
+    }
+    return count == 0 ? "lost in noise" : fmt::format("{:.3f}", sum / count);
+}
+
+// JSON has no NaN: an error below the references' noise is written as null.
+double number_or_nan(const ordered_json& value) {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
 double frame(const PlanCost& cost) {
@@ -59,8 +77,9 @@ RuleFigures rule_figures(const std::vector<PlanScene>& scenes, std::size_t off) 
             f.best_motion = scene.motions[best];
         }
         for (std::size_t m = 0; m < on.size(); ++m) {
-            if (f.worst_scene.empty() || on[m].error - without[m].error > f.error_most) {
-                f.error_most = on[m].error - without[m].error;
+            const double added = on[m].error - without[m].error;
+            if (std::isfinite(added) && (f.worst_scene.empty() || added > f.error_most)) {
+                f.error_most = added;
                 f.worst_scene = scene.name;
             }
             f.mb_most = std::max(f.mb_most, without[m].gpu_mb - on[m].gpu_mb);
@@ -100,11 +119,10 @@ std::string plan_markdown(const std::vector<PlanScene>& scenes) {
         const PlanRatio ratio = everything_over_planned(scene);
         gi.push_back(ratio.gi);
         whole.push_back(ratio.frame);
-        text +=
-            fmt::format("| {} | {:.1f} ms | {:.1f} ms | {:.1f} | {:.1f} | {:.3f} | {:.3f} |\n", scene.name,
-                        mean(scene.cases.front(), &PlanCost::gi), mean(scene.cases.back(), &PlanCost::gi),
-                        ratio.gi, ratio.frame, mean(scene.cases.front(), &PlanCost::error),
-                        mean(scene.cases.back(), &PlanCost::error));
+        text += fmt::format("| {} | {:.1f} ms | {:.1f} ms | {:.1f} | {:.1f} | {} | {} |\n", scene.name,
+                            mean(scene.cases.front(), &PlanCost::gi), mean(scene.cases.back(), &PlanCost::gi),
+                            ratio.gi, ratio.frame, mean_error(scene.cases.front()),
+                            mean_error(scene.cases.back()));
     }
     return text +
            fmt::format("| **median** | | | **{:.1f}** | **{:.1f}** | | |\n", median(gi), median(whole));
@@ -160,8 +178,8 @@ PlanScene plan_from_json(const ordered_json& json, const std::string& source) {
         for (const ordered_json& motions : json.at("cases")) {
             std::vector<PlanCost>& list = scene.cases.emplace_back();
             for (const ordered_json& cost : motions) {
-                list.push_back(
-                    {cost.at("gi_ms"), cost.at("direct_ms"), cost.at("relrmse"), cost.at("gpu_mb")});
+                list.push_back({cost.at("gi_ms"), cost.at("direct_ms"), number_or_nan(cost.at("relrmse")),
+                                cost.at("gpu_mb")});
             }
             if (list.size() != scene.motions.size()) {
                 throw InputError(source, "", "has cases of other motions");
