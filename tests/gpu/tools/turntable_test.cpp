@@ -176,7 +176,7 @@ TEST_F(Turntable, StepsBackWhereAnythingWouldLeaveThePicture) {
     box.add(vec3(2, 1.5f, 0.5f));
     CameraView start;
     start.camera.y_fov = glm::radians(45.0f);
-    start.position = vec3(0, 1, 4.2f);
+    start.position = vec3(0, 1, 3.76f);
     start.view = glm::lookAt(start.position, box.centre(), vec3(0, 1, 0));
     const auto all_in = [&](const CameraView& view, float aspect) {
         const mat4 clip = projection_matrix(view.camera, aspect, 10) * view.view;
