@@ -27,6 +27,7 @@ constexpr std::size_t kErrors = 4;    // that are looked at
 constexpr double kErrorOver = 1.05;   // of the error that is wished for, above which more is drawn
 constexpr double kErrorAim = 0.95;    // of it, then
 constexpr double kErrorSpare = 0.85;  // of it, that what is cheaper is expected to have at most
+constexpr double kErrorGain = 0.98;   // of the error now, below which what is dearer is worth its time
 constexpr std::size_t kDecisions = 1000;
 
 bool is_time(double ms) {
@@ -225,11 +226,13 @@ void BudgetControl::decide_error() {
         while (to > 0 && fits(to - 1) && predicted_error(to) > kErrorAim * wish_.error) {
             --to;
         }
-        if (to != rung_) {
+        const double expected = predicted_error(to);
+        if (to != rung_ && (wish_.ms == 0 || expected < kErrorGain * *now)) {
             raised_ = true;
             foretold_ = predicted_ms(to);
-            const double expected = predicted_error(to);
             go_to(to, fmt::format("error {:.3g} of {:.3g}: {:.3g} expected", *now, wish_.error, expected));
+        } else if (wish_.ms > 0) {
+            raise();  // what is left to gain are pixels
         }
         return;
     }

@@ -184,6 +184,18 @@ TEST(BudgetControl, TimeComesBeforeAnErrorAndTheErrorIsSaid) {
     EXPECT_FALSE(control.holds());
 }
 
+// Where time leaves nothing but pixels to gain, an error out of reach does not raise them again and again.
+TEST(BudgetControl, AnErrorOutOfReachDoesNotRaisePixels) {
+    BudgetControl control;
+    control.set({.ms = 30, .error = 0.001}, ladder());
+    run(control, {.scene = steady(120), .knows_groups = true, .error = 0.05}, 2000);
+    EXPECT_LT(control.rung().scale, 1) << "light alone was spared";
+    EXPECT_LE(control.changes(), 3);
+    for (const BudgetControl::Decision& decision : control.decisions()) {
+        EXPECT_FALSE(decision.to < decision.from && decision.why.starts_with("error")) << decision.why;
+    }
+}
+
 TEST(BudgetControl, AnErrorThatNothingReachesIsSaid) {
     BudgetControl control;
     control.set({.ms = 0, .error = 0.001}, ladder());

@@ -22,7 +22,7 @@ class StillGather {
     // approaches the mean of the rays alone.
     // Exact rays take direct light where they end, and of lit texels what these have reflected more often.
     // Cost: rays as a frame of the gather's (fewer where their ends would not fit into CloseHits), and with
-    // such a pass the filter over all pixels. 60 bytes a pixel.
+    // such a pass the filter over all pixels. 68 bytes a pixel.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const RayScene& rays, LitMaps& lit,
                                    const gpu::Texture& first, int pass, int last,
                                    const gpu::Buffer& bad_values);

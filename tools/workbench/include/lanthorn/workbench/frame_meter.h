@@ -47,6 +47,7 @@ class FrameMeter {
     struct Held {
         std::int64_t scene = 0, picture = 0;
     };
+    // So far, from this meter's App alone.
     const Held& held() const { return *held_; }
 
   private:
