@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "tools/lanthorn/measure/costs.h"
-#include "tools/workbench/measure/median.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::tools {
 
@@ -15,7 +15,7 @@ double over_rounds(const std::vector<FrameCosts>& rounds, const Value& value) {
     for (const FrameCosts& round : rounds) {
         values.push_back(value(round));
     }
-    return median_of(std::move(values));
+    return median(std::move(values));
 }
 
 const PlanLine* line_of(const FrameCosts& costs, const std::string& pass) {

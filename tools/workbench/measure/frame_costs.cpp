@@ -9,7 +9,7 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/workbench/frame_meter.h"
-#include "tools/workbench/measure/median.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::workbench {
 
@@ -43,14 +43,14 @@ class Collected {
         const auto frames = static_cast<double>(whole_.size());
         for (const auto& [name, times] : passes_) {
             const double share = static_cast<double>(times.ms.size()) / frames;
-            costs.passes[name] = {share * median_of(times.ms), sum(times.ms) / frames,
-                                  share * median_of(times.clock), times.gi};
+            costs.passes[name] = {share * median(times.ms), sum(times.ms) / frames,
+                                  share * median(times.clock), times.gi};
         }
         costs.frames = static_cast<int>(whole_.size());
-        costs.whole = median_of(whole_);
+        costs.whole = median(whole_);
         costs.whole_mean = sum(whole_) / frames;
-        costs.whole_clock = median_of(clock_);
-        costs.outside = median_of(outside_);
+        costs.whole_clock = median(clock_);
+        costs.outside = median(outside_);
         costs.plan = lines_;
     }
 

@@ -8,8 +8,8 @@
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/workbench/frame_meter.h"
-#include "tools/workbench/measure/median.h"
 #include "tools/workbench/scene/light_sources.h"
+#include "tools/workbench/scene/median.h"
 
 namespace lanthorn::workbench {
 
@@ -144,8 +144,8 @@ bool LightCosts::step() {
     if (in_round_ < each_.settling + each_.timed) {
         return true;
     }
-    medians_.ms.push_back(median_of(std::exchange(timed_.ms, {})));
-    medians_.cpu_ms.push_back(median_of(std::exchange(timed_.cpu_ms, {})));
+    medians_.ms.push_back(median(std::exchange(timed_.ms, {})));
+    medians_.cpu_ms.push_back(median(std::exchange(timed_.cpu_ms, {})));
     in_round_ = 0;
     if (without) {
         light_again(lamp);
