@@ -16,9 +16,10 @@ constexpr double kFirstRays = 48;
 
 constexpr int kFadeFrames = 8;
 
-// Of its own rays, beside the gathered picture.
+// Of its own rays, beside the gathered picture: of few less than their number says, since the filter, which
+// stops at what differs by more than their noise, then leaves bright ones out (2 % of the light at 18 rays).
 double own_weight(double rays) {
-    return rays / (rays + kFirstRays);
+    return rays * rays / (rays * rays + kFirstRays * kFirstRays);
 }
 
 constexpr int kFewestPasses = 4;  // behind a picture, and between two
