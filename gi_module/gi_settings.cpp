@@ -53,9 +53,8 @@ void declare_shared_settings(SettingList& list) {
         .range(0.0f, 1e6f)
         .cost("an estimate with every pass that changes the picture; none once it is reached")
         .docs(
-            "Error of indirect light, as it is estimated without a reference, at which a still picture needs "
-            "no "
-            "more passes of gi.accumulate: gather alone. 0: all of them.");
+            "Error of indirect light, as it is estimated without a reference, at which a still picture "
+            "needs no more passes of gi.accumulate: gather alone. 0: all of them.");
     list.declare<&GiSettings::specular_roughness>("gi.specular.roughness")
         .range(0.0f, 1.0f)
         .presets({0.4f, 0.5f, 0.6f, 0.7f})

@@ -11,15 +11,12 @@
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
-#include "lanthorn/core/progress.h"
-#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
-#include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/measure/costs_report.h"
+#include "tools/lanthorn/measure/scene_list.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -42,8 +39,7 @@ struct Options {
 // Rest first, each once.
 std::vector<Motion> motions_of(const Options& options) {
     std::vector<Motion> motions = {Motion::rest};
-    for (const std::string& name : options.motions) {
-        const auto motion = static_cast<Motion>(std::ranges::find(kMotionNames, name) - kMotionNames.begin());
+    for (const Motion motion : motions_named(options.motions)) {
         if (std::ranges::find(motions, motion) == motions.end()) {
             motions.push_back(motion);
         }
@@ -76,10 +72,8 @@ void write(const fs::path& folder, const std::vector<SceneCosts>& scenes, const 
 }
 
 ExitCode run(const Options& options) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    options.settings.apply_to(settings);
+    ChosenSettings chosen(options.settings);
+    Settings& settings = chosen.settings;
     if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
     }
@@ -88,9 +82,7 @@ ExitCode run(const Options& options) {
     job.motions = motions_of(options);
     std::vector<MotionScene> scenes;
     for (const std::string& text : options.scenes) {
-        ListedScene listed = listed_scene(text, options.view);
-        SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
-        scenes.push_back({std::move(listed.name), std::move(data), std::move(listed.view)});
+        scenes.push_back(open_scene(text, options.view));
     }
     for (const MotionScene& scene : scenes) {
         const MovingScene shown(scene.data, scene.view, Motion::rest, 1);  // refused before anything is made
@@ -111,14 +103,10 @@ ExitCode run(const Options& options) {
     const std::uint64_t steps = scenes.size() * job.motions.size() * static_cast<std::size_t>(job.rounds) *
                                 (rule_switches().size() + 1);
     std::uint64_t done = 0;
-    Progress progress("measuring", steps);
-    const StopSignal stop;
+    MeasuredSteps work("measure", "the scenes that are done are kept where -o says", steps);
     std::vector<SceneCosts> costs;
     for (const MotionScene& scene : scenes) {
-        costs.push_back(measure_costs(scene, settings, job, [&] {
-            progress.update(std::min(++done, steps));
-            stop_if_asked("measure", "the scenes that are done are kept where -o says");
-        }));
+        costs.push_back(measure_costs(scene, settings, job, [&] { work.step(done++ < steps ? 1 : 0); }));
         head.time = time_words(costs.back().motions.front().planned.software);
         head.renderer = costs.back().motions.front().planned.renderer;
         write(folder, costs, head);
@@ -141,10 +129,7 @@ Command add_measure_costs(CLI::App& measure) {
         "costs",
         "Where each millisecond and megabyte goes: by pass, by light, by asset; what the plan left out, and "
         "what that would have cost (docs/costs.md).");
-    command
-        ->add_option("SCENE", options->scenes,
-                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
-        ->required();
+    add_scenes_option(*command, options->scenes);
     command
         ->add_option("-o,--output", options->output,
                      "folder for costs.json and costs.html, which needs no network; made where there is none")

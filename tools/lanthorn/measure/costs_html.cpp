@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "lanthorn/core/printable.h"
 #include "tools/lanthorn/common/svg.h"
@@ -41,17 +42,18 @@ std::string text_cell(const std::string& words) {
     return "<td class=\"text\">" + xml_text(printable(words)) + "</td>";
 }
 
-std::string heading_row(const std::vector<std::string>& cells) {
+// `words`: columns of text among them, which begin where their heading does, as the first one.
+std::string heading_row(const std::vector<std::string>& cells, const std::set<std::size_t>& words = {}) {
     std::string html = "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        html += (i == 0 ? "<th class=\"text\">" : "<th>") + xml_text(cells[i]) + "</th>";
+        html += (i == 0 || words.contains(i) ? "<th class=\"text\">" : "<th>") + xml_text(cells[i]) + "</th>";
     }
     return html + "</tr>\n";
 }
 
 std::string passes_html(const MotionCosts& motion) {
     const FrameCosts& costs = motion.planned;
-    std::string html = fmt::format("<h3>Milliseconds by pass: {}</h3>\n", motion_name(costs.motion));
+    std::string html = fmt::format("<h3>Milliseconds by pass: {}</h3>\n", name_of(costs.motion));
     if (!costs.lacking.empty()) {
         return html + "<p>" + xml_text(costs.lacking) + "</p>\n";
     }
@@ -83,7 +85,7 @@ std::string lights_html(const SceneCosts& scene) {
     std::vector<std::string> head = {"light", "kind", "share of the light", "lux"};
     double most = 0;
     for (const Motion motion : scene.light_motions) {
-        head.push_back(motion_name(motion) + ", ms");
+        head.push_back(name_of(motion) + ", ms");
     }
     head.emplace_back("");
     for (const LightCost& light : scene.lights) {
@@ -91,7 +93,7 @@ std::string lights_html(const SceneCosts& scene) {
             most = std::max(most, cost ? std::abs(cost->ms) : 0.0);
         }
     }
-    html += "<table>" + heading_row(head);
+    html += "<table>" + heading_row(head, {1});
     for (const LightCost& light : scene.lights) {
         html += "<tr>" + text_cell(light.name) + text_cell(light.kind) +
                 fmt::format("<td>{:.1f} %</td><td>{:.3g}</td>", 100 * light.share, light.lux);
@@ -112,7 +114,7 @@ std::string assets_html(const std::string& title, const std::vector<AssetBytes>&
     if (assets.empty()) {
         return {};
     }
-    std::string html = "<table>" + heading_row({title, "size", "GPU MB", "CPU MB", ""});
+    std::string html = "<table>" + heading_row({title, "size", "GPU MB", "CPU MB", ""}, {1});
     for (const AssetBytes& asset : assets) {
         html += "<tr>" + text_cell(asset.name) + text_cell(asset.size) + number_cell(megabytes(asset.gpu)) +
                 number_cell(megabytes(asset.cpu)) + bar_cell(megabytes(asset.gpu), most, "other") + "</tr>\n";
@@ -122,7 +124,8 @@ std::string assets_html(const std::string& title, const std::vector<AssetBytes>&
 
 std::string memory_html(const SceneMemory& memory) {
     const double most = megabytes(memory.gpu);
-    std::string html = "<h3>Megabytes</h3>\n<table>" + heading_row({"kept by", "what it is", "GPU MB", ""});
+    std::string html =
+        "<h3>Megabytes</h3>\n<table>" + heading_row({"kept by", "what it is", "GPU MB", ""}, {1});
     for (const SceneMemory::Part& part : memory.parts) {
         html += "<tr>" + text_cell(part.name) + text_cell(part.about) + number_cell(megabytes(part.gpu)) +
                 bar_cell(megabytes(part.gpu), most, &part == &memory.parts.back() ? "rest" : "other") +
@@ -144,10 +147,11 @@ std::string memory_html(const SceneMemory& memory) {
 }
 
 std::string left_out_html(const MotionCosts& motion) {
-    std::string html =
-        fmt::format("<h3>What the plan left out: {}</h3>\n<table>{}", motion_name(motion.planned.motion),
-                    heading_row({"rule", "leaves out", "would cost, ms", "by the clock", "would be done",
-                                 "would be more", ""}));
+    std::string html = fmt::format(
+        "<h3>What the plan left out: {}</h3>\n<table>{}", name_of(motion.planned.motion),
+        heading_row(
+            {"rule", "leaves out", "would cost, ms", "by the clock", "would be done", "would be more", ""},
+            {1, 4, 5}));
     double most = 0;
     for (const RuleCost& rule : motion.rules) {
         most = std::max(most, std::abs(rule.ms));
@@ -160,7 +164,7 @@ std::string left_out_html(const MotionCosts& motion) {
                 bar_cell(rule.ms, most, rule.ms < 0 ? "less" : "other") + "</tr>\n";
     }
     html += "</table>\n<table>" +
-            heading_row({"line of the plan", "done in", "would cost, ms", "left out by", "why"});
+            heading_row({"line of the plan", "done in", "would cost, ms", "left out by", "why"}, {3, 4});
     for (const LeftOutLine& line : motion.left_out) {
         html += "<tr>" + text_cell(line.pass) +
                 fmt::format("<td>{} of {}</td>", line.ran, motion.planned.frames) +

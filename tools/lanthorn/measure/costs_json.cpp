@@ -30,7 +30,7 @@ ordered_json plan_of(const MotionCosts& motion) {
 ordered_json json_of(const MotionCosts& motion) {
     const FrameCosts& costs = motion.planned;
     if (!costs.lacking.empty()) {
-        return {{"motion", motion_name(costs.motion)}, {"lacking", costs.lacking}};
+        return {{"motion", name_of(costs.motion)}, {"lacking", costs.lacking}};
     }
     ordered_json passes = ordered_json::array();
     for (const auto& [name, pass] : ordered_passes(costs)) {
@@ -44,7 +44,7 @@ ordered_json json_of(const MotionCosts& motion) {
     for (const RestLine& line : rest_lines(costs)) {
         rest.push_back({{"name", line.name}, {"ms", line.ms}});
     }
-    return {{"motion", motion_name(costs.motion)},
+    return {{"motion", name_of(costs.motion)},
             {"frames", costs.frames},
             {"whole", {{"ms", costs.whole}, {"mean", costs.whole_mean}, {"clock_ms", costs.whole_clock}}},
             {"noise_ms", motion.noise},
@@ -63,7 +63,7 @@ ordered_json lights_of(const SceneCosts& scene) {
         ordered_json motions = ordered_json::object();
         for (std::size_t m = 0; m < light.by_motion.size(); ++m) {
             const auto& cost = light.by_motion[m];
-            motions[motion_name(scene.light_motions[m])] =
+            motions[name_of(scene.light_motions[m])] =
                 cost ? ordered_json{{"ms", cost->ms}, {"noise", cost->noise}, {"clock_ms", cost->clock}}
                      : ordered_json(nullptr);
         }

@@ -25,8 +25,6 @@ struct CostsHead {
 inline double megabytes(std::uint64_t bytes) {
     return 1e-6 * static_cast<double>(bytes);
 }
-// The name of a motion, as --motion takes it.
-std::string motion_name(Motion motion);
 std::string time_words(bool software);
 // A motion's passes, those that take most first, and what is beside them, in words; together the whole frame
 // but for rounding.

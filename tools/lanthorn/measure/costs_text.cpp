@@ -22,7 +22,7 @@ std::string mb_text(std::uint64_t bytes) {
 }
 
 std::string passes_text(const FrameCosts& costs) {
-    TextTable table({fmt::format("{}, by pass", motion_name(costs.motion)), "ms", "mean", "by the clock"});
+    TextTable table({fmt::format("{}, by pass", name_of(costs.motion)), "ms", "mean", "by the clock"});
     PassCost little;
     for (const auto& [name, pass] : ordered_passes(costs)) {
         if (pass.ms < kLeastPass && pass.mean < kLeastPass) {
@@ -46,7 +46,7 @@ std::string passes_text(const FrameCosts& costs) {
 std::string lights_text(const SceneCosts& scene) {
     std::vector<std::string> heading = {"by light", "kind", "share", "lux"};
     for (const Motion motion : scene.light_motions) {
-        heading.push_back(motion_name(motion) + " ms");
+        heading.push_back(name_of(motion) + " ms");
         heading.emplace_back("+-");
         heading.emplace_back("by the clock");
     }
@@ -95,7 +95,7 @@ std::string memory_text(const SceneMemory& memory) {
 }
 
 std::string left_out_text(const MotionCosts& motion) {
-    const std::string name = motion_name(motion.planned.motion);
+    const std::string name = name_of(motion.planned.motion);
     TextTable rules({name + ", without the rule", "ms", "by the clock", "would be done", "would be more"});
     for (const RuleCost& rule : motion.rules) {
         rules.add({rule.rule.setting, fmt::format("{:+.2f}", rule.ms), fmt::format("{:+.2f}", rule.clock),
@@ -117,10 +117,6 @@ std::string left_out_text(const MotionCosts& motion) {
 std::string time_words(bool software) {
     return software ? "milliseconds are processor time of all threads"
                     : "milliseconds of passes are those of the GPU's clock";
-}
-
-std::string motion_name(Motion motion) {
-    return std::string(kMotionNames[static_cast<std::size_t>(motion)]);
 }
 
 std::vector<std::pair<std::string, PassCost>> ordered_passes(const FrameCosts& costs) {
@@ -146,7 +142,7 @@ std::string costs_text(const SceneCosts& scene, const CostsHead& head) {
     for (const MotionCosts& motion : scene.motions) {
         text += motion.planned.lacking.empty()
                     ? passes_text(motion.planned)
-                    : fmt::format("{}: {}\n", motion_name(motion.planned.motion), motion.planned.lacking);
+                    : fmt::format("{}: {}\n", name_of(motion.planned.motion), motion.planned.lacking);
         text += '\n';
     }
     text += lights_text(scene) + '\n' + memory_text(scene.motions.front().planned.memory) + '\n';
