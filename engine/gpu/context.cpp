@@ -47,6 +47,17 @@ bool draws_in_software() {
     return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
 }
 
+bool has_subgroup_sums() {
+    constexpr GLint kSums = GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR | GL_SUBGROUP_FEATURE_BALLOT_BIT_KHR;
+    if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup")) {
+        return false;
+    }
+    GLint stages = 0, features = 0;
+    glGetIntegerv(GL_SUBGROUP_SUPPORTED_STAGES_KHR, &stages);
+    glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &features);
+    return (stages & GL_COMPUTE_SHADER_BIT) != 0 && (features & kSums) == kSums;
+}
+
 Context::Context() : idle_programs_(std::make_shared<IdlePrograms>()) {}
 
 Context::~Context() = default;

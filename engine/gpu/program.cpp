@@ -12,6 +12,7 @@
 #include "engine/gpu/shader_source.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gpu {
 
@@ -67,6 +68,15 @@ GLuint compile(const fs::path& path, const ShaderSource& source) {
         throw Error(ExitCode::no_gl, "shader does not compile:\n" + name_files(log, source.files));
     }
     return shader;
+}
+
+// What compute shaders count places in lists by, where the driver has it (work_items.glsl).
+const std::vector<std::string> kSubgroups = {"GL_KHR_shader_subgroup_basic", "GL_KHR_shader_subgroup_ballot",
+                                             "GL_KHR_shader_subgroup_arithmetic"};
+
+std::vector<std::string> with(std::vector<std::string> defines, const char* one) {
+    defines.emplace_back(one);
+    return defines;
 }
 
 GLuint link(const std::vector<fs::path>& stages, const std::vector<ShaderSource>& sources) {
@@ -137,7 +147,9 @@ struct Program::Held {
         std::vector<ShaderSource> sources;
         std::string all;  // stages by name, too: their ending says what they are
         for (const fs::path& path : stages) {
-            sources.push_back(load_shader(path, defines));
+            const bool by_subgroups = path.extension() == ".comp" && has_subgroup_sums();
+            sources.push_back(load_shader(path, by_subgroups ? with(defines, "SUBGROUPS 1") : defines,
+                                          by_subgroups ? kSubgroups : std::vector<std::string>()));
             all += path.string() + '\n' + sources.back().text;
         }
         if (const std::shared_ptr<IdlePrograms> store = IdlePrograms::current()) {

@@ -17,7 +17,9 @@ namespace {
 
 class Loader {
   public:
-    Loader(const fs::path& root, const std::vector<std::string>& defines) : root_(root), defines_(defines) {}
+    Loader(const fs::path& root, const std::vector<std::string>& defines,
+           const std::vector<std::string>& extensions)
+        : root_(root), defines_(defines), extensions_(extensions) {}
 
     void append(const fs::path& file, const std::string& included_from) {
         const auto number = result.files.size();
@@ -41,6 +43,9 @@ class Loader {
             }
             if (line.starts_with("#version")) {
                 result.text += line + "\n";
+                for (const std::string& extension : extensions_) {
+                    result.text += "#extension " + extension + " : require\n";
+                }
                 for (const std::string& define : defines_) {
                     result.text += "#define " + define + "\n";
                 }
@@ -83,6 +88,7 @@ class Loader {
 
     fs::path root_;
     const std::vector<std::string>& defines_;
+    const std::vector<std::string>& extensions_;
 };
 
 }  // namespace
@@ -95,9 +101,10 @@ fs::path shader_root() {
     return share.empty() ? fs::path(LANTHORN_SHADER_ROOT) : share / "shaders";
 }
 
-ShaderSource load_shader(const fs::path& path, const std::vector<std::string>& defines) {
+ShaderSource load_shader(const fs::path& path, const std::vector<std::string>& defines,
+                         const std::vector<std::string>& extensions) {
     const fs::path root = shader_root();
-    Loader loader(root, defines);
+    Loader loader(root, defines, extensions);
     loader.append((root / path).lexically_normal(), "");
     return std::move(loader.result);
 }

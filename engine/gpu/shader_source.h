@@ -18,9 +18,11 @@ std::filesystem::path shader_root();
 
 // Reads `path` (relative to the shader root, e.g. "engine/render/gbuffer.frag"), replaces each `#include
 // "FILE"` (relative to the including file, else to the root; every file once; none within `#ifdef
-// __cplusplus`, so that headers can be shared with C++), puts `defines` ("NAME VALUE" each) after the
-// #version line. Throws Error naming the missing file and the line that includes it.
-ShaderSource load_shader(const std::filesystem::path& path, const std::vector<std::string>& defines);
+// __cplusplus`, so that headers can be shared with C++), puts `defines` ("NAME VALUE" each) and
+// `extensions` (GL_..., required) after the #version line. Throws Error naming the missing file and the line
+// that includes it.
+ShaderSource load_shader(const std::filesystem::path& path, const std::vector<std::string>& defines,
+                         const std::vector<std::string>& extensions = {});
 
 // A driver's message with the source-string numbers replaced by file names: "gbuffer.frag:12: ...".
 std::string name_files(const std::string& log, const std::vector<std::filesystem::path>& files);

@@ -12,6 +12,19 @@ const uint kRow = 16384u;  // work groups a row of a dispatch: GL promises no mo
         atomicMax(groups[1], (last) / (size) / kRow + 1u); \
     }
 
+// `at`: the first of `count` places more in the list that `counter` counts. All invocations of a list wait for that counter: where
+// there are subgroups, one asks for all of its own that come here together.
+#ifdef SUBGROUPS
+#define TAKE_PLACES(counter, count, at) { \
+        uint before_ = subgroupExclusiveAdd(count); \
+        uint all_ = subgroupAdd(count); \
+        uint first_ = subgroupElect() ? atomicAdd(counter, all_) : 0u; \
+        at = subgroupBroadcastFirst(first_) + before_; \
+    }
+#else
+#define TAKE_PLACES(counter, count, at) at = atomicAdd(counter, count);
+#endif
+
 uint work_item() { return (gl_WorkGroupID.y * kRow + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }
 
 #endif

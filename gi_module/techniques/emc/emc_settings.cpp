@@ -134,6 +134,17 @@ void declare_rays(SettingList& list) {
             "finds faster here. What they meet is looked up in the lit maps.");
 }
 
+void declare_last_round(SettingList& list) {
+    list.declare<&EmcSettings::last_round>("gi.emc.last_round")
+        .choices({"device", "in_turn", "at_once"})
+        .cost("ms of rays through the maps: on an H200 at_once is half of in_turn, on llvmpipe 1.3 times")
+        .docs(
+            "How rays of gi.emc.final = gather ask all maps, where three could not follow them: map after "
+            "map "
+            "in one "
+            "invocation until one knows, or in an invocation for each; device: at_once on a GPU.");
+}
+
 void declare_gather(SettingList& list) {
     list.declare<&EmcSettings::gather_grid>("gi.gather.grid")
         .unit("pixels")
@@ -240,6 +251,7 @@ void declare_emc_settings(SettingList& list) {
     declare_caustics(list);
     declare_maps(list);
     declare_rays(list);
+    declare_last_round(list);
     declare_gather(list);
     declare_splats(list);
 }

@@ -73,6 +73,7 @@ void run_everything(const TemporaryFolder& dump) {
     render(cornell, {"--frames", "3", "--set", "gi.accumulate=3", "--set", "gi.emc.final=splat"});
     render(cornell,
            {"--frames", "2", "--aov", "maps", "--aov", "coverage", "--stats", out.path("stats.json")});
+    render(puppet, {"--frames", "3", "--set", "gi.emc.last_round=at_once", "--set", "gi.emc.rays=maps"});
     render(puppet, {"--frames", "8", "--set", "gi.gather.source=rays", "--set", "gi.emc.rays=maps"});
     render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
     render(support::repository_file("assets/living-room.glb"),

@@ -22,9 +22,9 @@ void EntryList::dispatch() const {
     glDispatchComputeIndirect(sizeof(std::uint32_t));
 }
 
-void EntryList::copy_count(const gpu::Buffer& to) const {
+void EntryList::copy_count(const gpu::Buffer& to, std::size_t offset) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(buffer_.id(), to.id(), 0, 0, sizeof(std::uint32_t));
+    glCopyNamedBufferSubData(buffer_.id(), to.id(), 0, static_cast<GLintptr>(offset), sizeof(std::uint32_t));
 }
 
 std::uint32_t EntryList::count() const {

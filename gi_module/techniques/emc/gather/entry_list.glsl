@@ -11,7 +11,8 @@ layout(std430, binding = 7) buffer Appended { uint appended_count; uint appended
 
 // Room for `count` more, at least one: the place of the first.
 uint append_entries(uint count) {
-    uint at = atomicAdd(appended_count, count);
+    uint at;
+    TAKE_PLACES(appended_count, count, at)
     COUNT_GROUPS(appended_groups, at * INVOCATIONS, (at + count) * INVOCATIONS - 1u, 256u)
     return at;
 }

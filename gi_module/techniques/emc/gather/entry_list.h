@@ -21,8 +21,8 @@ class EntryList {
     explicit operator bool() const { return static_cast<bool>(buffer_); }
     std::uint32_t count() const;              // waits for the GPU
     std::vector<std::uint32_t> read() const;  // all of it; waits for the GPU
-    // Into the first word of another buffer, as of now, without waiting.
-    void copy_count(const gpu::Buffer& to) const;
+    // Into the word of another buffer at byte `offset`, as of now, without waiting.
+    void copy_count(const gpu::Buffer& to, std::size_t offset = 0) const;
     std::size_t bytes() const { return buffer_.bytes(); }
 
   private:

@@ -11,7 +11,8 @@ layout(std430, binding = 3) writeonly buffer Keys { uint keys[]; };
 uniform int rays;  // a point and frame
 
 uint append_point(vec3 x, vec3 n, uint key) {
-    uint place = atomicAdd(point_count, 1u);
+    uint place;
+    TAKE_PLACES(point_count, 1u, place)
     points[place] = pack_point(x, n);
     keys[place] = key;
     COUNT_GROUPS(point_groups, place, place, 256u)

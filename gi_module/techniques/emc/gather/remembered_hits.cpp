@@ -176,14 +176,19 @@ void RememberedHits::forget_other_guides(const FrameScene& scene, float local_le
     stood_ = place;
 }
 
-// Of the last verify(), if the frame before ran it. Exact rays wait for the GPU in any case.
 void RememberedHits::fit_memory(const RayScene& rays) {
-    if (rays.exact == nullptr || frames_since_motion_ != 1) {
+    if (frames_since_motion_ != 1) {
+        stale_share_.forget();
         return;
     }
-    const float held = static_cast<float>(there_.count()) * static_cast<float>(std::min(rays_, kRaysAtOnce));
-    const float share = static_cast<float>(stale_.count()) / std::max(held, 1.0f);
-    const int wanted = share > kShortLived ? kFewFrames : kFrames;
+    // Exact rays wait for the GPU in any case.
+    const std::optional<float> share = rays.exact != nullptr
+                                           ? StaleShare::now(there_, stale_, std::min(rays_, kRaysAtOnce))
+                                           : stale_share_.late();
+    if (!share) {
+        return;
+    }
+    const int wanted = *share > kShortLived ? kFewFrames : kFrames;
     long_lived_ = wanted > slots_in_use_ ? long_lived_ + 1 : 0;
     if (wanted < slots_in_use_ || long_lived_ == kLongerLived) {
         use_slots(wanted);
@@ -331,6 +336,9 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
         begin(limbs_->use(rays.movers.boxes(), margin));
         stale_.bind_storage(5);
         dispatch_listed(near_);
+    }
+    if (of_ == Of::picture && rays.exact == nullptr) {
+        stale_share_.note(there_, stale_, std::min(rays_, kRaysAtOnce));
     }
     use(again_);
     rays.maps.bind(again_, 0, 1, rays.settings, rays.scene);

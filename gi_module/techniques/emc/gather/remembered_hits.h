@@ -11,6 +11,7 @@
 #include "gi_module/techniques/emc/gather/remembered_guide.h"
 #include "gi_module/techniques/emc/gather/remembered_shading.h"
 #include "gi_module/techniques/emc/gather/remembered_trace.h"
+#include "gi_module/techniques/emc/gather/stale_share.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 
 namespace lanthorn::gi {
@@ -95,7 +96,8 @@ class RememberedHits {
     void forget_other_guides(const FrameScene& scene, float local_length);
     void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
-    // Fewer slots while rays live shortly.
+    // Fewer slots while rays live shortly: as of the last verify(), if the frame before ran it; of rays
+    // through the maps, which nothing waits for, as of the one before.
     void fit_memory(const RayScene& rays);
     void use_slots(int slots);
     std::size_t starts() const {
@@ -118,6 +120,7 @@ class RememberedHits {
     vec3 looked_{0, 0, -1};  // of the last follow(): the way the camera looked, and its place in the world
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
+    StaleShare stale_share_;   // of each verify() of the picture
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, there_program_;
     // By entry: slot, ray and key.

@@ -22,7 +22,8 @@ void main() {
     vec3 x = texelFetch(starts, at).xyz;
     bool stale = (before & kStale) != 0u || movers_make_stale(x, unpack_direction(flight.x), l, inside_is_stale(at, slot));
     if (stale) {
-        uint place = atomicAdd(stale_count, 1u);
+        uint place;
+        TAKE_PLACES(stale_count, 1u, place)
         stale_list[place] = entry;
         COUNT_GROUPS(stale_groups, place, place, 256u)
     } else if (is_looked_up(id, slot, l == 0.0)) {

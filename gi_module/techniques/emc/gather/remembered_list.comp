@@ -53,7 +53,8 @@ bool shot_from(uint slot, uint key, vec4 point) {
 #if IN_PICTURE
 // To have its rays guided, by remembered_guide_rays.comp.
 void list_guided(uint start) {
-    uint at = atomicAdd(guided_count, 1u);
+    uint at;
+    TAKE_PLACES(guided_count, 1u, at)
     guided[at] = start;
     COUNT_GROUPS(guided_groups, at, at, 256u)
 }

@@ -28,6 +28,7 @@ void RememberedShading::resize(bool in_picture, int points, int slots, int rays)
     const auto count = static_cast<std::size_t>(points);
     if (in_picture) {
         if (!sort_) {
+            empty_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_unserved.comp"});
             sort_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_sort.comp"});
             order_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_order.comp"});
         }
@@ -41,21 +42,20 @@ void RememberedShading::resize(bool in_picture, int points, int slots, int rays)
 
 void RememberedShading::sort(const Hits& hits, int slots) {
     offsets_.add_up(hits.counts);
-    served_.fill(0xffffffffu);
-    hits.use(sort_);
-    cells_view_.bind(0, hits.cells, GL_RG32UI);
-    offsets_view_.bind(1, offsets_.sums(), GL_R32UI);
-    sort_.set("cells", 0);
-    sort_.set("offsets", 1);
-    served_.bind_storage(2);
-    dispatch_rows(points_, slots);
-    wait_for_shaders();
-    hits.use(order_);
-    counts_view_.bind(0, hits.counts, GL_R32UI);
-    order_.set("counts", 0);
-    order_.set("offsets", 1);
-    dispatch_rows(points_, 1);
-    wait_for_shaders();
+    const auto run = [&](const gpu::Program& program, gpu::BufferTexture& view, const gpu::Buffer& buffer,
+                         GLenum format, const char* name, int rows) {
+        hits.use(program);
+        view.bind(0, buffer, format);
+        offsets_view_.bind(1, offsets_.sums(), GL_R32UI);
+        program.set(name, 0);
+        program.set("offsets", 1);
+        served_.bind_storage(2);
+        dispatch_rows(points_, rows);
+        wait_for_shaders();
+    };
+    run(empty_, counts_view_, hits.counts, GL_R32UI, "counts", 1);
+    run(sort_, cells_view_, hits.cells, GL_RG32UI, "cells", slots);
+    run(order_, counts_view_, hits.counts, GL_R32UI, "counts", 1);
 }
 
 void RememberedShading::shade_by(const gpu::Program& program, const Hits& hits, const SurfacePoints& points,

@@ -41,7 +41,7 @@ class RememberedShading {
 
     bool in_picture_ = false;
     int points_ = 0, slots_ = 0, rays_ = 0;
-    gpu::Program sort_, order_, shade_, shade_halves_;
+    gpu::Program empty_, sort_, order_, shade_, shade_halves_;
     // Of the picture, by point: where the list of the starts that serve it begins.
     PrefixSums offsets_;
     gpu::Buffer served_;      // uint32: starts, point by point

@@ -6,6 +6,7 @@
 
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gi {
 
@@ -20,6 +21,10 @@ void dispatch_listed(const EntryList& list) {
     list.bind_storage(6);
     list.dispatch();
     wait_for_shaders();
+}
+
+gpu::Program trace_program(const std::vector<std::string>& defines) {
+    return gpu::Program({"gi_module/techniques/emc/gather/remembered_trace.comp"}, defines);
 }
 
 }  // namespace
@@ -38,9 +43,8 @@ void RememberedTrace::build_programs(Search search) {
     if (!one_map_ || search != search_) {
         search_ = search;
         const char* secant = search == Search::secant ? "SEARCH_SECANT 1" : "SEARCH_SECANT 0";
-        one_map_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_trace.comp"}, {"ONE_MAP 1"});
-        every_map_ =
-            gpu::Program({"gi_module/techniques/emc/gather/remembered_trace.comp"}, {"ONE_MAP 0", secant});
+        one_map_ = trace_program({"MAPS ONE"});
+        every_map_ = trace_program({"MAPS ALL", secant});
     }
 }
 
@@ -62,8 +66,17 @@ void RememberedTrace::march(const RayScene& rays, const Listed& listed) {
         rays.maps.bind(program, 0, 1, settings, rays.scene);
         rays.texels.bind(program, lit_points_view_, 2);
     };
-    rounds_.run(one_map_, every_map_, settings, prepare,
-                [&](const gpu::Program&) { dispatch_listed(listed.entries); });
+    const LastRound last = settings.of<EmcSettings>().last_round;
+    const bool at_once = last == LastRound::device ? !gpu::draws_in_software() : last == LastRound::at_once;
+    if (at_once && !nobody_) {
+        nobody_ = trace_program({"MAPS NOBODY"});
+        each_map_ = trace_program({"MAPS EACH"});
+        nearest_ = trace_program({"MAPS NEAREST"});
+    }
+    const MapRounds::EachMap apart{nobody_, each_map_, nearest_, rays.maps.slots()};
+    rounds_.run(
+        one_map_, every_map_, settings, prepare,
+        [&](const gpu::Program&) { dispatch_listed(listed.entries); }, at_once ? &apart : nullptr);
 }
 
 void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) {

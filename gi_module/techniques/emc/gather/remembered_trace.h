@@ -55,6 +55,7 @@ class RememberedTrace {
 
     Search search_ = Search::march;
     gpu::Program one_map_, every_map_, requests_;
+    gpu::Program nobody_, each_map_, nearest_;     // for MapRounds::EachMap
     gpu::Program arrivals_[2], left_arrivals_[2];  // with close hits or without
     gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;

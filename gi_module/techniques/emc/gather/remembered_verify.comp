@@ -63,7 +63,8 @@ void main() {
 #endif
     }
     if (stale_rays != 0u) {
-        uint first = atomicAdd(stale_count, uint(bitCount(stale_rays)));
+        uint first;
+        TAKE_PLACES(stale_count, uint(bitCount(stale_rays)), first)
         uint next = first;
         for (uint j = 0u; j < RAYS; ++j) {
             if ((stale_rays >> j & 1u) != 0u) stale_list[next++] = entry_of(slot, first_ray + j, key);

@@ -6,6 +6,7 @@
 layout(local_size_x = 64) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
+#include "engine/gpu/work_items.glsl"
 #include "photon.glsl"
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
@@ -55,7 +56,8 @@ void main() {
         SceneHit hit = intersect_next(ray.origin, n, ray.direction.xyz, ray_start(), hint, listed == 0, u.w, settled);
         if (!settled) {
             rays[i].start = start_bits(hint, n);
-            uint place = atomicAdd(unsettled_count, 1u);
+            uint place;
+            TAKE_PLACES(unsettled_count, 1u, place)
             unsettled[place] = uint(i);
             if ((place & 63u) == 0u) atomicAdd(unsettled_groups[0], 1u);
             return;

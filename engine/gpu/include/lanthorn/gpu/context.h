@@ -46,6 +46,9 @@ class Context {
 
 // Whether the current context draws on the CPU (llvmpipe, say): GlInfo::software.
 bool draws_in_software();
+// Whether compute shaders of the current context can add up over a subgroup: invocations that run side by
+// side (GL_KHR_shader_subgroup_arithmetic and _ballot).
+bool has_subgroup_sums();
 
 // A context without a display: the first usable EGL device that is no program (unless LIBGL_ALWAYS_SOFTWARE
 // is set), else EGL surfaceless, else a software device. Rendering goes to framebuffer objects. Throws

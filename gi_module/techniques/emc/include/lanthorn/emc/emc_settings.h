@@ -25,6 +25,10 @@ enum class EmcFinal { splat, gather };
 // gi.emc.rays: what rays of the gather travel through. `maps`: the environment maps; `bvh`: the scene's
 // triangles, on the processor; `fastest`: what a measurement in the first frame finds faster.
 enum class EmcRays { maps, bvh, fastest };
+// gi.emc.last_round: how rays of the gather that three maps could not follow ask all. `in_turn`: one
+// invocation asks map after map until one knows, as suits a processor; `at_once`: an invocation for each map,
+// as suits a GPU; `device`: either.
+enum class LastRound { device, in_turn, at_once };
 // gi.gather.source: where the lit maps' own indirect light comes from. `rays`: from their texels, remembered;
 // `photons`: those that land on them.
 enum class GatherSource { rays, photons };
@@ -44,6 +48,7 @@ struct EmcSettings {
     int fade_frames = 4;      // frames an exchanged map takes to fade over; at most update_interval
 
     EmcRays rays = EmcRays::fastest;
+    LastRound last_round = LastRound::device;
     EmcFinal final_stage = EmcFinal::gather;  // the stage that makes the picture
     int gather_grid = 4;                      // pixels between the points that rays are shot from, at most
     int gather_points = 6000;                 // at least, where there are as many pixels
