@@ -23,7 +23,7 @@ class EmbreeRays final : public ExactRays {
   public:
     void follow(const FrameScene& scene, RayDetail detail) override { scene_.follow(scene, detail); }
 
-    void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) override {
+    void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals, bool albedo) override {
         workers_.run((rays.size() + kRun - 1) / kRun, [&](std::size_t run) {
             const std::size_t first = run * kRun;
             const std::size_t end = std::min(first + kRun, rays.size());
@@ -41,7 +41,7 @@ class EmbreeRays final : public ExactRays {
                     arrivals[i] = {};
                     continue;
                 }
-                arrivals[i] = {hit.t, pack_normal(hit.normal)};
+                arrivals[i] = {hit.t, pack_normal(hit.normal), albedo ? pack_albedo(hit) : 0};
             }
         });
     }
@@ -77,6 +77,12 @@ class EmbreeRays final : public ExactRays {
     bool whole(std::uint32_t instance) const override { return scene_.scene().whole(instance); }
 
   private:
+    std::uint32_t pack_albedo(const reference::SurfaceHit& hit) const {
+        const vec3 albedo = scene_.materials().reflectance(scene_.scene().instances()[hit.instance],
+                                                           hit.primitive, hit.barycentric);
+        return glm::packUnorm4x8(vec4(albedo, 0));
+    }
+
     FollowedScene scene_;
     reference::TileWorkers workers_{0};
 };

@@ -26,8 +26,10 @@ static_assert(sizeof(ExactRay) == 32 && offsetof(ExactRay, direction) == 16);
 struct Arrival {
     float distance = 0;        // m; 0: nothing was met
     std::uint32_t normal = 0;  // unit, on the ray's side, octahedral in 2 x 16 bits as packSnorm2x16 has them
+    std::uint32_t albedo = 0;  // of diffuse transport, red in the lowest of three bytes
+    std::uint32_t unused = 0;
 };
-static_assert(sizeof(Arrival) == 8 && offsetof(Arrival, normal) == 4);
+static_assert(sizeof(Arrival) == 16 && offsetof(Arrival, albedo) == 8);
 
 struct CausticArrivals;
 struct CausticPhoton;
@@ -41,8 +43,9 @@ class ExactRays : public TriangleSight {
     // Becomes this frame's scene, by what its changes say. `scene` must stay as it is until the last trace()
     // of the frame. O(what changed); O(triangles log triangles) at first, and when instances come or go.
     virtual void follow(const FrameScene& scene, RayDetail detail) = 0;
-    // The nearest surface on each ray; the same in any order and with any number of threads.
-    virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
+    // The nearest surface on each ray; the same in any order and with any number of threads. `albedo`: finds
+    // it, too; else it is 0.
+    virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals, bool albedo) = 0;
     // Follows each ray over mirrors and through glass until it meets what is neither (specular_chain.h). One
     // end a ray, in their order, then those that are found by `next`. The same with any number of threads.
     virtual std::vector<SpecularHit> trace(std::span<const SpecularRay> rays) = 0;

@@ -22,13 +22,17 @@ TEST(EmbreeRays, MeetWhatIsThere) {
                                          {vec3(1, 1, 1), 0, vec3(0, -1, 0), 0},
                                          {vec3(9, 9, 9), 0, vec3(0, 1, 0), 0}};
     std::vector<Arrival> arrivals(asked.size());
-    rays->trace(asked, arrivals);
+    rays->trace(asked, arrivals, true);
     EXPECT_FLOAT_EQ(arrivals[0].distance, 3);
     EXPECT_FLOAT_EQ(arrivals[1].distance, 1);
     EXPECT_EQ(arrivals[2].distance, 0);
     // Octahedral: -x is (-1, 0), +y is (0, 1).
     EXPECT_EQ(glm::unpackSnorm2x16(arrivals[0].normal), vec2(-1, 0));
     EXPECT_EQ(glm::unpackSnorm2x16(arrivals[1].normal), vec2(0, 1));
+    EXPECT_EQ(arrivals[0].albedo, 0x808080u);
+    EXPECT_EQ(arrivals[2].albedo, 0u);
+    rays->trace(asked, arrivals, false);
+    EXPECT_EQ(arrivals[0].albedo, 0u);
 }
 
 ImageF gathered(EmcRays rays, bool& exact) {

@@ -3,14 +3,14 @@
 #define LANTHORN_EMC_CLOSE_HITS_GLSL
 
 layout(std430, binding = 10) writeonly buffer ClosePoints { vec4 close_points[]; };   // by slot: packed
-layout(std430, binding = 11) writeonly buffer CloseOwners { uvec2 close_owners[]; };  // by slot: entry, lit texel or kUnlit
+layout(std430, binding = 11) writeonly buffer CloseOwners { uvec2 close_owners[]; };  // by slot: entry, lit texel or kUnlit or close_albedo()
 layout(std430, binding = 12) buffer CloseFree { uint close_taken; uint close_free_count; uint close_free[]; };  // slots
 
 uniform samplerBuffer lit_nearness;  // by place, a: a lit texel's width over its distance from a lamp
 uniform samplerBuffer close_lamps;   // xyz
 uniform int close_lamp_count;
 uniform int close_first;             // the slots' first place
-uniform int close_every_hit;         // 1: no lit texel is good enough; what none shows is left out
+uniform int close_every_hit;         // 1: no lit texel is good enough, and what none shows goes by its own albedo
 
 const float kNearLamp = 1.0 / 6.0;     // nearness, from which on a texel's light is not that of each of its points
 const float kNearContact = 1.0 / 24.0;  // the same for a ray that is shorter than kContact of its widths
@@ -37,14 +37,15 @@ bool ends_beside(int place) {
     return ends;
 }
 
-// What the entry's ray has met at x, in direction d after t metres: a slot of its own, or `found`, if that is as good or none is free.
+// What the entry's ray has met at x, of that albedo, in direction d after t metres: a slot of its own, or `found`, if that is as good or none is free.
 // Few rays get past the first test: the loops are left at once where none does, which a software rasteriser does for no `if`.
-uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
+uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t, uint albedo) {
     bool is_lit = found < kNoRay;
     int map = is_lit ? int(found) / (6 * lit_resolution * lit_resolution) : 0;
     float width = 2.0 * distance(x, map_centres[map].xyz) / float(lit_resolution);
     float near = is_lit ? texelFetch(lit_nearness, int(found)).a : 0.0;
-    bool looked = is_lit;
+    bool every = close_every_hit != 0;
+    bool looked = is_lit || every;
     while (!looked) {
         float r2 = 3.4e38;
         for (int s = 0; s < map_count; ++s) r2 = min(r2, dot(x - map_centres[s].xyz, x - map_centres[s].xyz));
@@ -53,8 +54,8 @@ uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
         looked = true;
     }
     bool is_short = is_lit && t < kContact * width;
-    bool every = close_every_hit != 0;
-    bool is_close = every ? is_lit : near > (is_short ? kNearContact : kNearLamp) && t <= kFarthest * width;
+    bool is_close = every || near > (is_short ? kNearContact : kNearLamp) && t <= kFarthest * width;
+    uint without = every ? close_albedo(albedo) : kUnlit;
     uint place = found;
     while (is_close) {
         bool alone = every || !is_lit || is_short || ends_beside(int(found));
@@ -62,7 +63,7 @@ uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
         if (at < close_free_count) {
             uint slot = close_free[at];
             close_points[slot] = pack_point(x, n);
-            close_owners[slot] = uvec2(entry, is_lit ? found : kUnlit);
+            close_owners[slot] = uvec2(entry, is_lit ? found : without);
             place = uint(close_first) + slot;
         }
         is_close = false;

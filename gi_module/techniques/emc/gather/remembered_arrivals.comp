@@ -27,7 +27,7 @@ layout(std430, binding = 7) readonly buffer Left { uint left_count; uint left_gr
 
 uniform samplerBuffer starts;
 uniform usamplerBuffer directions;  // by entry: flights
-uniform usamplerBuffer arrivals;    // by item: bits of the distance, 0: nothing met; octahedral normal, towards the origin
+uniform usamplerBuffer arrivals;    // by item: bits of the distance, 0: nothing met; octahedral normal, towards the origin; albedo
 
 void main() {
     uint item = work_item();
@@ -38,7 +38,7 @@ void main() {
     item = left[item];
 #endif
     uint entry = list[item];
-    uvec2 arrival = texelFetch(arrivals, int(item)).rg;
+    uvec3 arrival = texelFetch(arrivals, int(item)).rgb;
     vec4 start = texelFetch(starts, start_of(entry));
     float t = uintBitsToFloat(arrival.x);
     vec3 origin = start.xyz + point_normal(start) * origin_offset();
@@ -49,14 +49,14 @@ void main() {
     uint found = t > 0.0 ? sharpest_place_of(x, direction, n) : sky_place_of(direction);
     if (found == kUnlit) list_entry(item);
 #if CLOSE
-    if (found < uint(sky_first)) found = closer_place(entry, found, x, n, t);
+    if (found < uint(sky_first)) found = closer_place(entry, found, x, n, t, arrival.z);
 #endif
     texels[entry] = meets(texels[entry], found);
     flights[2u * entry + 1u] = arrival.x;
 #else
     uint found = lit_place_of(x, direction, n);
 #if CLOSE
-    found = closer_place(entry, found, x, n, t);
+    found = closer_place(entry, found, x, n, t, arrival.z);
 #endif
     texels[entry] = meets(texels[entry], found);
 #endif

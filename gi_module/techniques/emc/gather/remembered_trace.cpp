@@ -94,14 +94,15 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
     dispatch_listed(listed.entries);
     const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
     std::vector<Arrival> arrivals(count);
-    rays.exact->trace(requests, arrivals);
+    const bool albedo = rays.close != nullptr && rays.close->of() == CloseHits::Of::every_hit;
+    rays.exact->trace(requests, arrivals, albedo);
     arrival_list_.write(0, std::span<const Arrival>(arrivals));
     listed.left.clear();
     const auto look_up = [&](const gpu::Program& program, const EntryList& items) {
         listed.use(program);
         rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
         rays.texels.bind(program, lit_points_view_, 2);
-        arrivals_view_.bind(4, arrival_list_, GL_RG32UI);
+        arrivals_view_.bind(4, arrival_list_, GL_RGBA32UI);
         program.set("arrivals", 4);
         listed.texels.bind_storage(4);
         listed.flights.bind_storage(5);

@@ -1,6 +1,6 @@
 #version 450 core
 // What the listed close hits reflect: direct light of each by the light maps, and of the rest what their lit texel does. A hit
-// without one has the colour that a light's map shows there.
+// without one has its own albedo, where that is known, and its rest is left to who reads it; or the colour that a light's map shows there.
 layout(local_size_x = 256) in;
 
 #include "engine/render/direct_irradiance.glsl"
@@ -51,15 +51,17 @@ void main() {
     vec3 x = hit.xyz;
     vec3 n = point_normal(hit);
     uint texel = texelFetch(close_owners, slot).y;
+    bool has_albedo = is_close_albedo(texel);
     bool shown = close_fresh != 0 ? texel < kNoRay : still_shows(texel, x, n);
     int place = shown ? int(texel) : 0;
-    vec3 own = texelFetch(lit_albedo, place).rgb;
+    vec3 own = has_albedo ? unpackUnorm4x8(texel).rgb : texelFetch(lit_albedo, place).rgb;
+    bool has_colour = shown || has_albedo;
     vec3 sum = vec3(0.0);
 #ifdef LAMP_TREES
     LampTarget target = matte_target(x, n);
 #endif
-#define ADD_COLOURED(LIGHT) { LightData light = LIGHT; sum += irradiance_of(light, false, x, n) * (shown ? own : colour_of(light, x)); }
-#define ADD_SHOWN(LIGHT) sum += irradiance_of(LIGHT, true, x, n) * (shown ? own : vec3(0.0));
+#define ADD_COLOURED(LIGHT) { LightData light = LIGHT; sum += irradiance_of(light, false, x, n) * (has_colour ? own : colour_of(light, x)); }
+#define ADD_SHOWN(LIGHT) sum += irradiance_of(LIGHT, true, x, n) * (has_colour ? own : vec3(0.0));
     PUNCTUAL_LIGHTS(ADD_COLOURED, target)
     AREA_LIGHTS(ADD_SHOWN)
     if (is_bad(sum)) {
@@ -67,5 +69,5 @@ void main() {
         sum = vec3(0.0);
     }
     vec3 rest = max(radiosity[place].rgb - first[place].rgb, vec3(0.0));
-    radiosity[close_first + slot] = vec4(sum + (shown ? rest : vec3(0.0)), 0.0);
+    radiosity[close_first + slot] = vec4(sum + (shown ? rest : vec3(0.0)), has_albedo ? reflects_more(texel) : 0.0);
 }
