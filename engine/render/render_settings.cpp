@@ -21,6 +21,13 @@ void declare_render_settings(SettingsSchema& schema) {
         .for_measuring()
         .cost("false draws every map of a light that shines in every frame")
         .docs("For measuring the plan (docs/plan.md). False: no map is kept from frame to frame.");
+    schema.declare<bool>("render.still.kept")
+        .initially(d.still_kept)
+        .for_measuring()
+        .cost("false draws the G-buffer and direct light in every frame")
+        .docs(
+            "For measuring the plan (docs/plan.md). False: they are not kept while neither the view nor what "
+            "it shows changes.");
     schema.declare<int>("render.area_lights.max")
         .unit("surfaces")
         .range(0, 64)
@@ -182,6 +189,7 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");
     r.exposure_darkest = s.get<float>("render.exposure.darkest");
+    r.still_kept = s.get<bool>("render.still.kept");
     r.exposure_glide = s.get<float>("render.exposure.glide");
     r.bloom_share = s.get<float>("render.bloom.share");
     r.bloom_spread = s.get<float>("render.bloom.spread");

@@ -87,9 +87,10 @@ class FrameRenderer {
     RenderSettings settings;  // may be altered between frames
 
     // The passes of a frame of `size` pixels, to be called in this order; indirect light is made from
-    // inputs() after draw_gbuffer(). Each is timed under the name in brackets. The first frame, and the first
-    // after a change of size, takes its exposure at once. `whole`: of the picture that upscale() makes of it;
-    // 0, or fewer pixels: none, as where settings say so.
+    // inputs() after draw_gbuffer(). Each is timed under the name in brackets. What neither the view nor a
+    // change of the scene since this renderer's last frame alters is kept, not drawn. The first frame, and
+    // the first after a change of size, takes its exposure at once. `whole`: of the picture that upscale()
+    // makes of it; 0, or fewer pixels: none, as where settings say so.
     void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer,
                ivec2 whole = ivec2(0));                                    // [upload] what differs
     void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);  // [light_maps]
@@ -146,11 +147,23 @@ class FrameRenderer {
     bool cut_ = true;                   // the first frame of its size
     std::uint64_t upscaled_ = 0;        // frames since upscale() had its sizes
     std::optional<CameraView> looked_;  // by the last upscale()
+    // What the G-buffer and the direct light in it were drawn for; nothing: they are to be drawn.
+    struct Drawn {
+        std::uint64_t frame;
+        CameraView camera;
+        dvec3 origin;
+        RenderSettings settings;
+        std::optional<std::uint64_t> light_maps;  // version, where direct light is drawn
+        float traced_roughness = 0;
+    };
+    std::optional<Drawn> drawn_;
+    bool keeps_surfaces_ = false;  // in this frame
     IndirectLight indirect_;
 
     CameraUniforms camera(const FrameScene& scene) const;
     CameraUniforms through_middles(const FrameScene& scene) const;
     bool upscales() const;
+    bool shows_the_same_surfaces(const FrameScene& scene) const;
 };
 
 }  // namespace lanthorn::render

@@ -22,6 +22,7 @@ enum class PixelStage { by_device, fragment, compute };
 struct RenderSettings {
     int shadow_resolution = 512;       // texels a side of a punctual light's map; render.shadow.resolution
     bool shadow_kept = true;           // maps in which nothing has moved; render.shadow.kept
+    bool still_kept = true;            // pictures in which nothing has changed; render.still.kept
     int area_lights_max = 4;           // emissive surfaces with so many points each; render.area_lights.max
     int area_lights_samples = 4;       // points of a flat surface; render.area_lights.samples
     int area_lights_resolution = 128;  // texels a side of their maps; render.area_lights.resolution
