@@ -49,7 +49,7 @@ void list(const auto& credits) {
 
 std::optional<Event> draw_credits(const Model& model) {
     std::optional<Event> event;
-    draw_shade(model.page, 0.62f, 0.9f);
+    draw_shade(model.page, 0.72f, 0.92f, lanthorn::ui::kColumnUnits);
     begin_column(model.page, "credits", model.say("Credits"),
                  model.say("Rooms, figures, sounds and music are made by the program itself."));
     if (lanthorn::ui::entry(model.page, model.say("Back").c_str(), true)) {

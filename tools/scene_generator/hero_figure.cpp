@@ -5,6 +5,7 @@
 
 #include "lanthorn/core/turns.h"
 #include "tools/scene_generator/hero_meshes.h"
+#include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/puppet_figure.h"
 #include "tools/scene_generator/walk_cycle.h"
 
@@ -231,6 +232,8 @@ void add_hero(Builder& b, std::uint32_t player) {
 namespace {
 
 constexpr float kSmall = 0.54f;  // of a puppet's size, that of one that follows
+// Dark enough for a lantern at arm's length not to burn it out.
+constexpr PuppetDress kDress{{0.04f, 0.055f, 0.04f}, {0.22f, 0.03f, 0.025f}, {0.13f, 0.085f, 0.055f}};
 
 // A small puppet that stands on `feet`, and its joints.
 PuppetNodes add_small_puppet(Builder& b, const std::string& name, const dvec3& feet,
@@ -256,12 +259,12 @@ PuppetNodes add_small_puppet(Builder& b, const std::string& name, const dvec3& f
 }  // namespace
 
 void add_follower(Builder& b, const std::string& name, const dvec3& feet) {
-    add_small_puppet(b, name, feet, add_puppet_meshes(b), R"({"follower":{}})", RightArm::swings);
+    add_small_puppet(b, name, feet, add_puppet_meshes(b, kDress), R"({"follower":{}})", RightArm::swings);
 }
 
 void add_lamp_bearer(Builder& b, const std::string& name, const dvec3& feet, const vec3& colour,
                      float candela) {
-    const PuppetMeshes meshes = add_puppet_meshes(b);
+    const PuppetMeshes meshes = add_puppet_meshes(b, kDress);
     const PuppetNodes nodes = add_small_puppet(
         b, name, feet, meshes, R"({"follower":{"near":1.1},"heeds":{"waits":true}})", RightArm::holds);
     // Upright in a hand that is not.
@@ -283,7 +286,9 @@ void add_lamp_bearer(Builder& b, const std::string& name, const dvec3& feet, con
     flame.type = LightType::point;
     flame.colour = colour;
     flame.intensity = candela;
-    b.light(name + "-flame", at({0, -0.18, 0}), flame, hook);
+    const dvec3 light(0, -0.18, 0);
+    b.light(name + "-flame", at(light), flame, hook);
+    add_flame(b, name + ".fire", light, 0.075, hook);
 }
 
 }  // namespace lanthorn::scene_generator

@@ -278,10 +278,10 @@ Mesh cloak(std::uint32_t material) {
     struct Level {
         double y, radius, flat;
     };
-    constexpr Level kLevels[kDown + 1] = {{1.5, 0.085, 1},     {1.485, 0.13, 0.9}, {1.45, 0.2, 0.72},
-                                          {1.385, 0.262, 0.6}, {1.27, 0.276, 0.6}, {1.14, 0.276, 0.66},
-                                          {1.02, 0.28, 0.72},  {0.9, 0.288, 0.78}, {0.78, 0.3, 0.84},
-                                          {0.67, 0.318, 0.9},  {0.58, 0.338, 0.94}};
+    constexpr Level kLevels[kDown + 1] = {{1.505, 0.085, 1},  {1.495, 0.13, 0.9},  {1.465, 0.21, 0.74},
+                                          {1.4, 0.28, 0.64},  {1.27, 0.298, 0.64}, {1.14, 0.298, 0.68},
+                                          {1.02, 0.3, 0.73},  {0.9, 0.305, 0.79},  {0.78, 0.314, 0.84},
+                                          {0.67, 0.328, 0.9}, {0.58, 0.345, 0.94}};
     const JointChain hang = hanging({chest, cape_1, cape_2, cape_3});
     const auto point = [&](int round, int down, bool outer) {
         const double u = 2.0 * round / kRound - 1, v = static_cast<double>(down) / kDown;
@@ -340,7 +340,7 @@ std::vector<std::uint32_t> add_hero_meshes(Builder& b) {
     dressed("hero-hair", hair(), {0.12f, 0.055f, 0.025f});
     dressed("hero-hat", hat(), {0.15f, 0.24f, 0.25f});
     dressed("hero-scarf", scarf(), {0.5f, 0.09f, 0.06f});
-    add(cloak(b.matte("hero-cloak", {0.52f, 0.31f, 0.17f})));
+    add(cloak(b.matte("hero-cloak", {0.36f, 0.3f, 0.25f})));
     return meshes;
 }
 

@@ -133,6 +133,8 @@ SceneData level_burning_glass() {
                 R"("lux":25,"seconds":1.5,"symbol":"square","glow":[3,1.5,0.12])");
     furniture(b, f);
     add_sconce(b, f, "sconce", {2.6, 2.0, kHalf.z}, {0, 0, -1}, 30);
+    add_contract(b, "floor-is-lit", {0, 0.3, 0}, {7.4, 0.65, 5.8}, R"("lower":0.3,"share":0.7)");
+    add_contract(b, "topaz-is-dark", kTopaz, {0.2, 0.9, 0.9}, R"("upper":12)");
     add_player(b, {1.35, 0, 0.0}, {-3.8, 1.3, -0.7});
     add_level(b, R"("title":"The burning glass",
         "hints":["The lamp lights the mirror already. So wide a light is too thin for the topaz.",

@@ -18,7 +18,7 @@ constexpr double kRed =
 void shell(Builder& b, const Finishes& f) {
     const double t = kLevelWall;
     const std::uint32_t lime = painted_plaster(b, "pale-plaster", {0.66f, 0.63f, 0.58f});
-    const std::uint32_t red = painted_plaster(b, "red-plaster", {0.6f, 0.06f, 0.045f});
+    const std::uint32_t red = painted_plaster(b, "red-plaster", {0.72f, 0.05f, 0.04f});
     add_room(b, f, kHalf, {kNone, kNone, kNone, lime});
     b.solid("west-wall", box({-kHalf.x - t, 0, kRed}, {-kHalf.x, kHalf.y, kHalf.z}), lime, kBoxCollider);
     b.solid("red-wall", box({-kHalf.x - t, 0, -kHalf.z}, {-kHalf.x, kHalf.y, kRed}), red, kBoxCollider);
@@ -52,9 +52,11 @@ SceneData level_lamp_bearer() {
     const Finishes f = finishes(b, {0.42f, 0.39f, 0.35f});
     shell(b, f);
     add_crystal(b, f, "ruby", {-0.75, 1.3, kTip}, {0, 0, 1}, {0.75f, 0.08f, 0.06f}, R"("filter":[1,-2.7,0])",
-                R"("lux":0.35,"seconds":2,"symbol":"drop","glow":[3,0.16,0.1])");
+                R"("lux":0.3,"seconds":2,"symbol":"drop","glow":[3,0.16,0.1])");
     furniture(b, f);
     add_lamp_bearer(b, "bearer", {-0.25, 0, 0.05}, kLamplight, 260);
+    add_contract(b, "hall-is-lit", {0, 0.9, 1.2}, {5.4, 1.8, 3.4}, R"("lower":1,"share":0.7)");
+    add_contract(b, "bay-is-dark", {-0.95, 1.2, -1.95}, {1.6, 2.4, 2.2}, R"("upper":3)");
     add_player(b, {0.2, 0, 1.2}, {-2.8, 1.2, 0.7});
     add_level(b, R"("title":"The lamp bearer",
         "hints":["You carry no light here. Somebody else does.",

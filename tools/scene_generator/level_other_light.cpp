@@ -85,7 +85,10 @@ SceneData level_other_light() {
     add_crystal(b, f, "pearl", kPearl, {-1, 0, 0}, {0.8f, 0.74f, 0.58f}, R"("filter":[0.3,0.7,0])",
                 R"("lux":12,"seconds":2,"symbol":"circle","glow":[2.4,2.1,1.4])");
     furniture(b, f);
-    add_sconce(b, f, "sconce", {-0.4, 2.0, -kHalf.z}, {0, 0, 1}, 26);
+    add_sconce(b, f, "sconce", {-0.4, 2.0, -kHalf.z}, {0, 0, 1}, 38);
+    add_sconce(b, f, "sconce-south", {-2.4, 2.0, kHalf.z}, {0, 0, -1}, 38);
+    add_contract(b, "floor-is-lit", {0, 0.3, 0}, {7, 0.65, 5.8}, R"("lower":0.3,"share":0.7)");
+    add_contract(b, "pearl-is-dark", {kPearl.x, kPearl.y, kPearl.z}, {0.2, 0.9, 0.9}, R"("upper":14)");
     add_player(b, {-0.6, 0, 1.0}, {3.6, 1.3, 0.4});
     add_level(b, R"("title":"The other light",
         "hints":["The light of another tower comes by the window. It comes again.",

@@ -88,8 +88,13 @@ void add_crystal(Builder& b, const Finishes& f, const std::string& name, const d
     const std::uint32_t node = b.node(name + "-plate", facing);
     Transform lying;
     lying.rotation = quat(glm::angleAxis(-0.5 * std::numbers::pi, dvec3(1, 0, 0)));
-    const Outline plate = {{{0, -0.002}, {0, -1}}, {{0.5, -0.002}, {0, -1}}, {{0.5, -0.002}, {1, 0}},
-                           {{0.5, 0.02}, {1, 0}},  {{0.5, 0.02}, {0, 1}},    {{0, 0.02}, {0, 1}}};
+    constexpr double kThick = 0.02, kSlope = 0.707;  // its edge is a slope: a step would be a dashed line
+    const Outline plate = {{{0, -0.002}, {0, -1}},
+                           {{0.5, -0.002}, {0, -1}},
+                           {{0.5, -0.002}, {kSlope, kSlope}},
+                           {{0.5 - kThick, kThick}, {kSlope, kSlope}},
+                           {{0.5 - kThick, kThick}, {0, 1}},
+                           {{0, kThick}, {0, 1}}};
     b.solid(name + "-disc", lathe(plate, 32), f.trim, {}, lying, node);
 
     const std::uint32_t gem = b.matte(name, colour, 0.6f);
@@ -211,7 +216,27 @@ void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dv
     flame.type = LightType::point;
     flame.colour = kLamplight;
     flame.intensity = candela;
-    b.light(name + "-light", at({0, 0.06, -kOut}), flame, node);
+    const dvec3 light(0, 0.06, -kOut);
+    b.light(name + "-light", at(light), flame, node);
+    add_flame(b, name + "-flame", light, 0.09, node);
+}
+
+void add_flame(Builder& b, const std::string& name, const dvec3& light, double height, std::uint32_t parent) {
+    const std::uint32_t glow = b.matte(name, {1, 0.8f, 0.36f}, 0);
+    b.scene.materials[glow].unlit = true;
+    Outline outline;
+    add_curve(outline, {{0, 0}, {0.16, 0.14}, {0.2, 0.32}, {0.12, 0.62}, {0.04, 0.85}, {0, 1}}, 3);
+    for (OutlinePoint& point : outline) {
+        point.place *= height;
+    }
+    constexpr double kGap = 0.01;
+    b.solid(name, lathe(outline, 12), glow, {}, at(light - dvec3(0, height + kGap, 0)), parent);
+}
+
+void add_contract(Builder& b, const std::string& name, const dvec3& centre, const dvec3& size,
+                  const std::string& fields) {
+    b.scene.nodes[b.node(name, at(centre))].extras =
+        fmt::format(R"({{"light_contract":{{"size":[{},{},{}],{}}}}})", size.x, size.y, size.z, fields);
 }
 
 void add_level(Builder& b, const std::string& fields) {
@@ -220,15 +245,29 @@ void add_level(Builder& b, const std::string& fields) {
 
 void add_mouldings(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high) {
     Shape strips;
-    const auto ring = [&](double bottom, double top, double out) {
-        add_box(strips, {low.x, bottom, low.z}, {high.x, top, low.z + out});
-        add_box(strips, {low.x, bottom, high.z - out}, {high.x, top, high.z});
-        add_box(strips, {low.x, bottom, low.z + out}, {low.x + out, top, high.z - out});
-        add_box(strips, {high.x - out, bottom, low.z + out}, {high.x, top, high.z - out});
+    // All the way round, mitred in the corners: a closed outline of places, metres from the wall and high.
+    // Slopes instead of steps, which a picture of few pixels shows as dashes.
+    const auto ring = [&](const std::vector<glm::dvec2>& outline) {
+        glm::dvec2 middle(0);
+        for (const glm::dvec2& p : outline) {
+            middle += p / static_cast<double>(outline.size());
+        }
+        const auto corner = [&](const glm::dvec2& p, int i) {
+            return dvec3(i == 0 || i == 3 ? low.x + p.x : high.x - p.x, p.y,
+                         i < 2 ? low.z + p.x : high.z - p.x);
+        };
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const glm::dvec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
+            const glm::dvec2 out = 0.5 * (p + q) + 1e3 * (0.5 * (p + q) - middle);
+            for (int i = 0; i < 4; ++i) {
+                const int next = (i + 1) % 4;
+                add_quad(strips, corner(p, i), corner(p, next), corner(q, next), corner(q, i),
+                         0.5 * (corner(out, i) + corner(out, next)));
+            }
+        }
     };
-    ring(low.y, low.y + 0.16, 0.04);
-    ring(high.y - 0.1, high.y, 0.09);
-    ring(high.y - 0.16, high.y - 0.1, 0.045);
+    ring({{0, low.y}, {0.05, low.y}, {0.04, low.y + 0.13}, {0, low.y + 0.17}});
+    ring({{0, high.y - 0.2}, {0.05, high.y - 0.13}, {0.08, high.y - 0.06}, {0.14, high.y}, {0, high.y}});
     b.solid("mouldings", strips, f.trim);
 }
 
@@ -245,7 +284,7 @@ void add_beams(Builder& b, const Finishes& f, const dvec3& low, const dvec3& hig
             add_box(beams, {x - kHalf, high.y - kDeep, low.z}, {x + kHalf, high.y, high.z});
         }
     }
-    b.solid("beams", beams, f.oak);
+    b.solid("beams", beams, f.oak, collider());
 }
 
 void add_pier(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double half,
@@ -280,6 +319,12 @@ void add_wall_with_hole(Builder& b, const Finishes& f, const std::string& name, 
         part("-below", wide, hole_low[wide], hole_high[wide], low.y, hole_low.y);
     }
     part("-above", wide, hole_low[wide], hole_high[wide], hole_high.y, high.y);
+    if (hole_low.y > low.y) {
+        const dvec3 size = hole_high - hole_low;
+        const std::uint32_t opening = b.node(name + "-opening", at(0.5 * (hole_low + hole_high)));
+        b.scene.nodes[opening].extras = fmt::format(
+            R"({{"collider":{{"shape":"box","size":[{:.3f},{:.3f},{:.3f}]}}}})", size.x, size.y, size.z);
+    }
     if (bars == 0) {
         return;
     }

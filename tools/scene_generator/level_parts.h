@@ -49,24 +49,35 @@ void add_turning_mirror(Builder& b, const Finishes& f, std::uint32_t silver, con
 void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dvec3& wall,
                 const dvec3& towards, float candela);
 
+// What is seen of a flame of `height` metres right below its light at `light`, which therefore has to shine
+// on nothing straight below. It shines on nothing itself.
+void add_flame(Builder& b, const std::string& name, const dvec3& light, double height, std::uint32_t parent);
+
 // A painted crate with rims of oak, a cube of `size` metres that stands on `foot` and can be shoved; `mass`
 // in kilograms.
 void add_crate(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double size,
                std::uint32_t paint, double mass);
+
+// What `lanthorn measure contracts` holds the level's light to, as the level begins: the fields of a
+// light_contract, as JSON, in a box of `size` metres.
+void add_contract(Builder& b, const std::string& name, const dvec3& centre, const dvec3& size,
+                  const std::string& fields);
 
 // What the level is called: the fields of {"level": {...}}.
 void add_level(Builder& b, const std::string& fields);
 
 // Skirting along the inside of a room from `low` to `high`, and a cornice below its ceiling.
 void add_mouldings(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high);
-// Beams across the room along X or Z (`along`), `count` of them, below its ceiling.
+// Beams across the room along X or Z (`along`), `count` of them, below its ceiling. No camera comes between
+// them.
 void add_beams(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high, bool along_x, int count);
 // A pier with plinth and cap, `half` wide both ways.
 void add_pier(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double half,
               double height);
 
 // A wall from `low` to `high` with an opening that is a hole through it along X or Z, whichever it is thinner
-// in, from `hole_low` to `hole_high`; bars of iron stand in it if `bars` is more than 0.
+// in, from `hole_low` to `hole_high`; bars of iron stand in it if `bars` is more than 0. Nothing goes through
+// a window, a hole above the floor, the camera neither; light does.
 void add_wall_with_hole(Builder& b, const Finishes& f, const std::string& name, std::uint32_t material,
                         const dvec3& low, const dvec3& high, const dvec3& hole_low, const dvec3& hole_high,
                         int bars);

@@ -25,8 +25,9 @@ void screen_wall(Builder& b, const Finishes& f) {
     b.solid("screen-wall", box({0.75, 0, -1.38}, {1.15, 2.35, 1.38}), f.ashlar, kBoxCollider);
     b.solid("screen-cap", box({0.7, 2.35, -1.38}, {1.2, 2.45, 1.38}), f.trim);
     b.solid("screen-foot", box({0.71, 0, -1.33}, {1.19, 0.14, 1.33}), f.trim);
-    add_pier(b, f, "pier-north", {0.95, 0, -1.6}, 0.22, kHalf.y - 0.24);
-    add_pier(b, f, "pier-south", {0.95, 0, 1.6}, 0.22, kHalf.y - 0.24);
+    // Well proud of the wall: less would be a dashed line.
+    add_pier(b, f, "pier-north", {0.95, 0, -1.58}, 0.26, kHalf.y - 0.24);
+    add_pier(b, f, "pier-south", {0.95, 0, 1.58}, 0.26, kHalf.y - 0.24);
     add_crystal(b, f, "red-crystal", {1.15, 1.25, 0}, {1, 0, 0}, {0.75f, 0.08f, 0.06f},
                 R"("filter":[1,-1.2,-0.8])",
                 R"("lux":0.5,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");

@@ -20,7 +20,7 @@ void shell(Builder& b, const Finishes& f) {
     add_pier(b, f, "pier-north", {kHalf.x - 0.2, 0, -kHalf.z + 0.2}, 0.18, kHalf.y - 0.24);
     add_pier(b, f, "pier-south", {kHalf.x - 0.2, 0, kHalf.z - 0.2}, 0.18, kHalf.y - 0.24);
     // So low that it crosses the room.
-    add_spot(b, "moon", {-8, 2.95, 0.5}, {kHalf.x, 1.15, -0.5}, kMoonlight, 20000, 9, 12);
+    add_spot(b, "moon", {-8, 2.95, 0.5}, {kHalf.x, 1.15, -0.5}, kMoonlight, 5000, 9, 12);
 }
 
 // A board before the window; it slides along a rail.
@@ -40,7 +40,7 @@ SceneData level_shutter() {
     shutter(b, f);
     add_crystal(b, f, "sapphire", {-kHalf.x, 1.45, -1.75}, {1, 0, 0}, {0.08f, 0.16f, 0.75f},
                 R"("filter":[-1.5,-0.8,1])",
-                R"("lux":0.5,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
+                R"("lux":0.14,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
     b.table("table", {0.3, 0, 1.3}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-0.75, 0, 1.75}));
     b.solid("shelf", whole(shelf_parts({1.2, 2.0, 0.35}, 5)), f.oak, kBoxCollider, at({-0.6, 0, -2.76}));

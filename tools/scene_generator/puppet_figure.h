@@ -11,7 +11,11 @@ namespace lanthorn::scene_generator {
 struct PuppetMeshes {
     std::uint32_t body, cape, head, eyes, lantern;
 };
-PuppetMeshes add_puppet_meshes(Builder& b);
+// What it wears, linear reflectances; by itself it is pale, as one that is seen by light from far away is.
+struct PuppetDress {
+    vec3 tunic{0.62f, 0.6f, 0.56f}, cape{0.68f, 0.09f, 0.07f}, skin{0.74f, 0.52f, 0.4f};
+};
+PuppetMeshes add_puppet_meshes(Builder& b, const PuppetDress& dress = {});
 
 // One round on a circle, starting at `angle` (radians about +Y, from +Z) and walking to the figure's left.
 struct PuppetWalk {

@@ -184,10 +184,10 @@ std::uint32_t add(Builder& b, Mesh mesh) {
 
 }  // namespace
 
-PuppetMeshes add_puppet_meshes(Builder& b) {
-    const std::uint32_t tunic = b.matte("tunic", {0.62f, 0.6f, 0.56f});
-    const std::uint32_t cloth = b.matte("cloth", {0.68f, 0.09f, 0.07f});
-    const std::uint32_t skin = b.matte("skin", {0.74f, 0.52f, 0.4f});
+PuppetMeshes add_puppet_meshes(Builder& b, const PuppetDress& dress) {
+    const std::uint32_t tunic = b.matte("tunic", dress.tunic);
+    const std::uint32_t cloth = b.matte("cloth", dress.cape);
+    const std::uint32_t skin = b.matte("skin", dress.skin);
     const std::uint32_t dark = b.matte("eyes", {0.05f, 0.04f, 0.04f});
     const std::uint32_t iron = b.matte("iron", {0.12f, 0.12f, 0.13f});
     return {add(b, body(tunic)), add(b, cape(cloth)), add(b, head(skin)), b.mesh("eyes", eyes(), dark),

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "game/level/level_files.h"
+#include "game/level/reveal.h"
 #include "game/level/title_camera.h"
 #include "game/presentation/album/animated_picture.h"
 #include "game/presentation/album/page.h"
@@ -79,23 +80,26 @@ class Pictures {
     int stills_ = 0;
 };
 
-// How a level is drawn while it is played, and for its stills.
-struct Presets {
-    std::string playing, stills;
+// How a level is drawn while it is played, for the picture that moves, and for its stills.
+struct Drawn {
+    std::string preset;
+    ivec2 size;
+};
+struct Drawing {
+    Drawn playing, stills;
 };
 
 // One level, from its beginning to the end of its tour and a little on.
 class Played {
   public:
-    Played(const Options& options, const SceneData& scene, ivec2 size, const Presets& presets,
-           Pictures* pictures, const StopSignal& stop)
+    Played(const Options& options, const SceneData& scene, const Drawing& drawing, Pictures* pictures,
+           const StopSignal& stop)
         : level_(options, scene),
           quality_(options, level_.session().seed()),
-          presets_(presets),
+          drawing_(drawing),
           pictures_(pictures),
           stop_(stop) {
-        quality_.draw(level_.app(), {presets.playing});
-        level_.app().view().size = size;
+        draw_as(drawing.playing);
     }
 
     std::uint64_t steps() { return toured() + kAfterwards; }
@@ -104,51 +108,65 @@ class Played {
 
     void play(Progress& progress) {
         level_.app().show();  // its space is known from the first frame on
-        keep_still(true, "as it is found");
+        reveal_.begin(level_.world());
+        keep_still(Seen::whole, "as it is found");
         int frame = 0;
         for (std::uint64_t step = kStepsAFrame; step <= steps() && !stop_.asked(); step += kStepsAFrame) {
             level_.app().show_at(static_cast<double>(step) / kStepsPerSecond);
+            reveal_.watch(level_.world());
             progress.update(step);
             if (pictures_ != nullptr && frame++ % kFramesAPicture == 0) {
                 pictures_->move(picture(), kPictureMs);
             }
             if (step / kStepsAFrame == toured() / kStepsAFrame / 2) {
-                keep_still(false, "on the way");
+                keep_still(Seen::by_player, "on the way");
             }
         }
-        keep_still(true, solved() ? "solved" : "as it was left");
+        reveal_.pass(Reveal::kEase, true);
+        keep_still(reveal_.showing() ? Seen::woken : Seen::whole, solved() ? "solved" : "as it was left");
     }
 
   private:
     std::uint64_t toured() { return *level_.session().length(); }
 
-    // The simulation waits. `whole`: as the level's own camera sees it, not the player.
-    void keep_still(bool whole, const char* words) {
+    void draw_as(const Drawn& drawn) {
+        quality_.draw(level_.app(), {drawn.preset});
+        level_.app().view().size = drawn.size;
+    }
+
+    // By the level's own camera; by the player's; from where the game shows what has woken.
+    enum class Seen { whole, by_player, woken };
+
+    // The simulation waits.
+    void keep_still(Seen seen, const char* words) {
         if (pictures_ == nullptr) {
             return;
         }
-        quality_.draw(level_.app(), {presets_.stills});
+        draw_as(drawing_.stills);
         for (int i = 0; i < kSettling && !stop_.asked(); ++i) {
-            if (whole) {
+            if (seen == Seen::whole) {
                 look_from_title(level_.shown(), 0);
+            } else if (seen == Seen::woken) {
+                reveal_.look(level_.shown());
             }
             level_.app().show();
         }
         if (!stop_.asked()) {
-            const ImageF seen = picture();
-            pictures_->still(seen, words);
-            if (whole) {
-                pictures_->move(seen, kStillMs);
+            const ImageF still = picture();
+            pictures_->still(still, words);
+            if (seen != Seen::by_player) {
+                pictures_->move(still, kStillMs);
             }
         }
-        quality_.draw(level_.app(), {presets_.playing});
+        draw_as(drawing_.playing);
         look_with_eyes(level_.shown());
     }
     ImageF picture() { return level_.app().world().resource<Renderer>().frame->read(render::Aov::final); }
 
     Playthrough level_;
     Quality quality_;
-    Presets presets_;
+    Drawing drawing_;
+    Reveal reveal_;
     Pictures* pictures_;
     const StopSignal& stop_;
 };
@@ -196,9 +214,9 @@ ExitCode run_tour(const Options& options, const StopSignal& stop) {
     const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
     const bool software = context->info().software;
     const ivec2 size = picture_size(options, software);
-    const Presets presets = !options.preset.empty() ? Presets{options.preset, options.preset}
-                            : software              ? Presets{"low", "medium"}
-                                                    : Presets{"high", "high"};
+    const char* const usual = software ? "medium" : "high";
+    const Drawing drawing = {{software ? "low" : "medium", moving_size(size)},
+                             {options.preset.empty() ? usual : options.preset, size}};
     std::optional<Pictures> kept;
     if (!options.out.empty()) {
         kept.emplace(made_folder(options.out), size);
@@ -208,7 +226,7 @@ ExitCode run_tour(const Options& options, const StopSignal& stop) {
     for (std::size_t i = 0; i < levels.size() && !stop.asked(); ++i) {
         Options one = options;
         one.level = levels[i].path.string();
-        Played level(one, import_gltf(one.level), size, presets, pictures, stop);
+        Played level(one, import_gltf(one.level), drawing, pictures, stop);
         const bool solved = [&] {  // whose line is gone before another is written
             Progress progress(fmt::format("{} of {}: {}", i + 1, levels.size(), levels[i].title),
                               level.steps());
@@ -231,7 +249,7 @@ ExitCode run_tour(const Options& options, const StopSignal& stop) {
         pictures->write_page(fmt::format(
             "The game plays itself: {} x {}, preset {}, drawn by {} in {:.0f} s. The moving picture is four "
             "times as fast as the play.",
-            size.x, size.y, presets.stills, context->info().renderer, took.count()));
+            size.x, size.y, drawing.stills.preset, context->info().renderer, took.count()));
         std::printf("%d pictures, tour.webp and index.html in %s\n", pictures->stills(), options.out.c_str());
     }
     return code;

@@ -56,7 +56,7 @@ void expect_solved_and_shown(std::span<const std::string_view> levels, const std
     std::ranges::sort(expected);
     EXPECT_EQ(testing_tools::files_in(folder.path("a/tour")), expected);
     EXPECT_EQ(count(outcome.out, ": solved in "), levels.size()) << outcome.out;
-    // Before and after, by the same camera: the crystals' light is in one of them.
+    // Before, by the level's camera, and after, from where the game shows what has woken.
     EXPECT_NE(file_bytes(folder.path("a/tour/red-wall-1.png")),
               file_bytes(folder.path("a/tour/red-wall-3.png")));
     // RIFF, and a chunk for every picture that differs from the one before.

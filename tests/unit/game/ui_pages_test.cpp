@@ -506,5 +506,23 @@ TEST(Pages, WordsAreDrawnInsideWindowsOfAnySize) {
     }
 }
 
+// What has words as wide as its column is dark as far as the column goes, whatever the picture behind shows.
+TEST(Pages, LongWordsStandOnTheShade) {
+    constexpr float kDark = 0.6f;
+    for (const double text_size : {1.0, 2.0}) {
+        for (const Screen screen : {Screen::options, Screen::controls, Screen::credits}) {
+            Player player({1280, 720}, text_size);
+            player.show(screen);
+            float shaded = 0;
+            for (const ImDrawVert& vertex : ImGui::GetBackgroundDrawList()->VtxBuffer) {
+                const auto alpha = static_cast<float>(vertex.col >> IM_COL32_A_SHIFT & 0xff) / 255;
+                shaded = alpha > kDark ? std::max(shaded, vertex.pos.x) : shaded;
+            }
+            EXPECT_GE(shaded, std::min(lanthorn::ui::kColumnUnits * player.model.page.unit, 1280.0f))
+                << text_size << ' ' << static_cast<int>(screen);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lanthorn::game::ui
