@@ -59,10 +59,18 @@ TEST_F(Pictures, RepeatBitForBit) {
     EXPECT_FALSE(fs::exists(folder.path("out")));
 }
 
-// Of each kind one: of light, of the picture, of numbers. The others take as long again; moved, indirect and
-// black are found alike, 1 % of the brightest lamp is not (docs/replay-pictures.md).
+TEST_F(Pictures, AreLookedAtByProcessesAsByOne) {
+    const Outcome outcome = verify({recording(), "--pictures", "--jobs", "2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("pictures     ok    1 marks, 1 equal to the bit"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(verify({"--pictures", "--jobs", "2", "--mark", "end"}).code, 2);
+}
+
+// Of each kind one: of light, of the picture, of numbers. The others take as long again
+// (docs/replay-pictures.md).
 TEST_F(Pictures, FindFaults) {
-    for (const std::string fault : {"off", "half", "nan"}) {
+    for (const std::string fault : {"lamp", "half", "nan"}) {
         const Outcome outcome = verify({"--pictures", "--picture-fault", fault});
         EXPECT_EQ(outcome.code, 1) << fault << ": " << outcome.out << outcome.err;
         EXPECT_NE(outcome.out.find("pictures     FAIL"), std::string::npos) << fault << outcome.out;
@@ -99,10 +107,7 @@ TEST_F(Pictures, RefuseAMarkThatIsNotThere) {
 
 TEST_F(Pictures, AllowTheNoiseOfOtherSeeds) {
     // As another machine would draw it: with noise of its own.
-    json figures = parse_json(testing_tools::file_bytes(baseline(".json")), "begin.json");
-    figures["seed"] = 77;
-    write_file(baseline(".json"), figures.dump());
-    const Outcome outcome = verify({"--pictures"});
+    const Outcome outcome = verify({"--pictures", "--seed", "77"});
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_NE(outcome.out.find("1 marks, 0 equal to the bit"), std::string::npos) << outcome.out;
 }
@@ -115,6 +120,17 @@ TEST_F(Pictures, LightIsTheSameAndWorseWithoutBounces) {
     const Outcome worse = verify({"--light", "--picture-fault", "indirect"});
     EXPECT_EQ(worse.code, 1) << worse.out;
     EXPECT_NE(worse.out.find("worse: relRMSE"), std::string::npos) << worse.out;
+}
+
+TEST_F(Pictures, FaultsInThemAreCountedInTheReceipt) {
+    const Outcome outcome =
+        run_program(LANTHORN_BINARY, {"replay", "suite", folder.path("r"), "--pictures", "--mutate", "1",
+                                      "-o", folder.path("s"), "--update-ratchet", "--today", "2026-11-26"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("in pictures 1 of 1."), std::string::npos) << outcome.out;
+    const json report = parse_json(testing_tools::file_bytes(folder.path("s/suite.json")), "suite.json");
+    EXPECT_EQ(report["receipt"]["blemishes"], 1);
+    EXPECT_EQ(report["mutants"].back().at("id"), "a.rec:begin~lamp");
 }
 
 TEST_F(Pictures, AreShownOnTheSuitesPage) {
