@@ -1,5 +1,5 @@
 # What `tools/test` leaves out and `tools/test --all` runs: the slowest cases, each with a similar one that `tools/test` keeps. They become a
-# test KIND.NAME_long with the label `long`. So are soak.headless, consumer.headers, replay.slurm, replay.mark_faults, replay.window_tour, three of replay.light_of_LEVEL and three of bench, which are
+# test KIND.NAME_long with the label `long`. So are soak.headless, consumer.headers, replay.slurm, replay.window_tour, three of replay.light_of_LEVEL and three of bench, which are
 # labelled where they are added. Comments say what stays.
 #
 # LANTHORN_LONG_KIND_NAME: cases as --gtest_filter names them.
