@@ -43,8 +43,8 @@ struct MarkedMoment {
 // current as long as it lives.
 class MarkArtist {
   public:
-    // `level` and `recording` are kept; `file` is the recording's name in messages; `on_frame` is called after
-    // every frame.
+    // `level` and `recording` are kept; `file` is the recording's name in messages; `on_frame` is called
+    // after every frame.
     MarkArtist(std::shared_ptr<const LevelFile> level, std::string file,
                std::shared_ptr<const replay::Recording> recording, std::function<void()> on_frame = {});
 

@@ -33,7 +33,8 @@ class MarkProcesses {
     using Job = std::packaged_task<PictureVerdict()>;
 
     PictureChoice choice_;
-    std::map<std::string, std::vector<std::shared_future<PictureVerdict>>> found_;  // by file, in the marks' order
+    std::map<std::string, std::vector<std::shared_future<PictureVerdict>>>
+        found_;                                   // by file, in the marks' order
     std::map<std::string, std::string> refused_;  // by file: why its marks cannot be looked at
     std::vector<Job> jobs_;
     std::atomic<std::size_t> next_{0};

@@ -173,7 +173,7 @@ PictureVerdict Checker::light(const MarkedMoment& at, PictureVerdict verdict) co
     const std::size_t most = std::min<std::size_t>(baseline->errors.size(), kMostSeeds);
     while (now.size() < most) {
         now.push_back(error(at, view, targets, truth));
-            ++view.seed;
+        ++view.seed;
         if (now.size() < kLeastSeeds) {
             continue;
         }
