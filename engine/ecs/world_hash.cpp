@@ -4,8 +4,9 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cstring>
 #include <deque>
-#include <string_view>
+#include <memory>
 
 #include "engine/ecs/value_json.h"
 #include "engine/ecs/value_ops.h"
@@ -49,17 +50,73 @@ std::uint64_t hash_of(const std::string& bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+// Bytes of a part, added to without filling what is new first, as std::string would.
+class PartBytes {
+  public:
+    void clear() { size_ = 0; }
+    // Room for so many more; to be written by the caller.
+    char* add(std::size_t count) {
+        if (size_ + count > capacity_) {
+            grow(size_ + count);
+        }
+        char* const place = bytes_.get() + size_;
+        size_ += count;
+        return place;
+    }
+    std::uint64_t hash() const { return XXH3_64bits(bytes_.get(), size_); }
+
+  private:
+    void grow(std::size_t least) {
+        capacity_ = std::max<std::size_t>(2 * least, 1024);
+        auto larger = std::make_unique_for_overwrite<char[]>(capacity_);
+        std::copy_n(bytes_.get(), size_, larger.get());
+        bytes_ = std::move(larger);
+    }
+    std::unique_ptr<char[]> bytes_ = std::make_unique_for_overwrite<char[]>(0);
+    std::size_t size_ = 0, capacity_ = 0;
+};
+
 // A column of a table that is state: which part it belongs to.
 struct StateColumn {
     std::size_t part;
     int column;
     const ValueType* type;
+    // Of values that are plain runs: their bytes together; else kNotPlain.
+    std::size_t plain;
+
+    static constexpr std::size_t kNotPlain = ~std::size_t{0};
+    static std::size_t plain_bytes(const ValueType& type) {
+        std::size_t bytes = 0;
+        for (const ValueType::Step& step : type.state_steps) {
+            if (step.type != nullptr) {
+                return kNotPlain;
+            }
+            bytes += step.size;
+        }
+        return type.kind == ValueKind::structure ? bytes : kNotPlain;
+    }
 };
+
+// As append_bytes() adds it.
+void add_value(const StateColumn& column, const void* value, PartBytes& to) {
+    if (column.plain != StateColumn::kNotPlain) {
+        char* place = to.add(column.plain);
+        for (const ValueType::Step& step : column.type->state_steps) {
+            std::memcpy(place, at(value, step.offset), step.size);
+            place += step.size;
+        }
+        return;
+    }
+    thread_local std::string bytes;
+    bytes.clear();
+    append_bytes(*column.type, value, Fields::state, bytes);
+    std::memcpy(to.add(bytes.size()), bytes.data(), bytes.size());
+}
 
 // All entities, to parts[0], and the components of `types`, each to the part of its place behind that: entity
 // and value, in the order of entities' indices.
 void append_entities(const World& world, const std::vector<const ComponentType*>& types,
-                     std::vector<std::string>& parts) {
+                     std::vector<PartBytes>& parts) {
     struct Place {
         const Archetype* archetype = nullptr;  // null: not alive
         std::uint32_t row = 0;
@@ -75,7 +132,8 @@ void append_entities(const World& world, const std::vector<const ComponentType*>
         for (std::size_t i = 0; i < types.size(); ++i) {
             const int column = archetype->column(types[i]->info->id);
             if (column != Archetype::kNoColumn) {
-                columns.push_back({1 + i, column, types[i]->value});
+                const ValueType& value = *types[i]->value;
+                columns.push_back({1 + i, column, &value, StateColumn::plain_bytes(value)});
             }
         }
         for (std::uint32_t row = 0; row < archetype->size(); ++row) {
@@ -91,12 +149,11 @@ void append_entities(const World& world, const std::vector<const ComponentType*>
             continue;
         }
         const std::uint64_t bits = place.archetype->entity(place.row).bits();
-        const std::string_view entity(reinterpret_cast<const char*>(&bits), sizeof bits);
-        parts[0] += entity;
+        std::memcpy(parts[0].add(sizeof bits), &bits, sizeof bits);
         for (const StateColumn& column : *place.columns) {
-            parts[column.part] += entity;
-            append_bytes(*column.type, place.archetype->data(place.row, column.column), Fields::state,
-                         parts[column.part]);
+            PartBytes& part = parts[column.part];
+            std::memcpy(part.add(sizeof bits), &bits, sizeof bits);
+            add_value(column, place.archetype->data(place.row, column.column), part);
         }
     }
 }
@@ -184,7 +241,7 @@ std::vector<std::uint64_t> state_schemas(const Registry& registry) {
 std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& world) {
     check_declared(registry, world);
     // One pass over the entities in the order of their indices, into the bytes of every part at once.
-    thread_local std::vector<std::string> parts;
+    thread_local std::vector<PartBytes> parts;
     parts.resize(std::max(parts.size(), 1 + registry.components().size()));
     std::size_t count = 1;
     std::vector<const ComponentType*> types;
@@ -201,7 +258,7 @@ std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& w
     std::vector<std::uint64_t> hashes;
     hashes.reserve(count + registry.resources().size());
     for (std::size_t i = 0; i < count; ++i) {
-        hashes.push_back(hash_of(parts[i]));
+        hashes.push_back(parts[i].hash());
     }
     std::string bytes;
     for (const ResourceType& type : registry.resources()) {

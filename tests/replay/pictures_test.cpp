@@ -1,6 +1,7 @@
 // Pictures and light at marks, as `lanthorn replay verify --pictures --light` judges them: real drawing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -59,8 +60,16 @@ TEST_F(Pictures, RepeatBitForBit) {
     EXPECT_FALSE(fs::exists(folder.path("out")));
 }
 
-// Of each kind one: of light, of the picture, of numbers. The others take as long again; moved, indirect and
-// black are found alike, 1 % of the brightest lamp is not (docs/replay-pictures.md).
+TEST_F(Pictures, AreLookedAtByProcessesAsByOne) {
+    const Outcome outcome = verify({recording(), "--pictures", "--jobs", "2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("pictures     ok    1 marks, 1 equal to the bit"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(verify({"--pictures", "--jobs", "2", "--mark", "end"}).code, 2);
+}
+
+// Of each kind one: of light, of the picture, of numbers. The others take as long again
+// (docs/replay-pictures.md).
 TEST_F(Pictures, FindFaults) {
     for (const std::string fault : {"off", "half", "nan"}) {
         const Outcome outcome = verify({"--pictures", "--picture-fault", fault});
@@ -99,10 +108,7 @@ TEST_F(Pictures, RefuseAMarkThatIsNotThere) {
 
 TEST_F(Pictures, AllowTheNoiseOfOtherSeeds) {
     // As another machine would draw it: with noise of its own.
-    json figures = parse_json(testing_tools::file_bytes(baseline(".json")), "begin.json");
-    figures["seed"] = 77;
-    write_file(baseline(".json"), figures.dump());
-    const Outcome outcome = verify({"--pictures"});
+    const Outcome outcome = verify({"--pictures", "--seed", "77"});
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_NE(outcome.out.find("1 marks, 0 equal to the bit"), std::string::npos) << outcome.out;
 }
@@ -115,6 +121,23 @@ TEST_F(Pictures, LightIsTheSameAndWorseWithoutBounces) {
     const Outcome worse = verify({"--light", "--picture-fault", "indirect"});
     EXPECT_EQ(worse.code, 1) << worse.out;
     EXPECT_NE(worse.out.find("worse: relRMSE"), std::string::npos) << worse.out;
+}
+
+TEST_F(Pictures, FaultsInThemAreCountedInTheReceipt) {
+    // The first four kinds: a lamp's 1 %, which here is too little to be found, no mover, a lamp that is off,
+    // and no number.
+    const Outcome outcome =
+        run_program(LANTHORN_BINARY, {"replay", "suite", folder.path("r"), "--pictures", "--mutate", "4",
+                                      "-o", folder.path("s"), "--update-ratchet", "--today", "2026-11-26"});
+    EXPECT_NE(outcome.out.find(", in pictures "), std::string::npos) << outcome.out << outcome.err;
+    const json report = parse_json(testing_tools::file_bytes(folder.path("s/suite.json")), "suite.json");
+    EXPECT_GE(report["receipt"]["blemishes"], 2);
+    const auto caught = [&](const char* id) {
+        return std::ranges::any_of(report["mutants"],
+                                   [&](const json& one) { return one["id"] == id && one["state"] == "ok"; });
+    };
+    EXPECT_TRUE(caught("a.rec:begin~off")) << outcome.out;
+    EXPECT_TRUE(caught("a.rec:begin~nan")) << outcome.out;
 }
 
 TEST_F(Pictures, AreShownOnTheSuitesPage) {

@@ -1,5 +1,7 @@
 #include "tools/replay_suite/files.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -47,6 +49,23 @@ void make_folder(const fs::path& folder) {
     if (error) {
         throw InputError(folder.string(), "", "cannot be made: " + error.message());
     }
+}
+
+Scratch::Scratch(fs::path folder) : folder_(std::move(folder)) {
+    make_folder(folder_);
+}
+
+Scratch Scratch::temporary(const std::string& name) {
+    std::string path = (fs::temp_directory_path() / (name + "-XXXXXX")).string();
+    if (::mkdtemp(path.data()) == nullptr) {
+        throw InputError(path, "", "cannot be made");
+    }
+    return Scratch(path);
+}
+
+Scratch::~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
 }
 
 }  // namespace lanthorn::suite

@@ -207,10 +207,11 @@ std::string strip(const Summary& s) {
     }
     html += "<ul class=\"receipt\">";
     for (const Count& count : kCounts) {
-        const bool mutants = count.member == &Receipt::mutants;
         std::string of;
-        if (mutants && s.facts.mutated) {
-            of = fmt::format(" of {}", s.mutants.size());
+        if (count.member == &Receipt::mutants && s.facts.asked.of(count)) {
+            of = fmt::format(" of {}", s.made(ItemKind::mutant));
+        } else if (count.member == &Receipt::blemishes && s.facts.asked.of(count)) {
+            of = fmt::format(" of {}", s.made(ItemKind::blemish));
         } else if (count.member == &Receipt::parts && !s.coverage.parts.empty()) {
             of = fmt::format(" of {}", s.coverage.parts.size());
         } else if (count.member == &Receipt::systems && !s.coverage.systems.empty()) {
@@ -220,11 +221,12 @@ std::string strip(const Summary& s) {
                                                                with_spaces(s.ratchet.least.*count.member))
                                                  : "";
         html += fmt::format("<li{}><b>{}</b>{} <span>{}</span></li>", last,
-                            mutants && !s.facts.mutated ? "–" : with_spaces(s.receipt.*count.member), of,
-                            count.member == &Receipt::parts     ? "parts changed"
-                            : count.member == &Receipt::systems ? "systems ran"
-                            : mutants                           ? "mutants caught"
-                                                                : count.name);
+                            s.facts.asked.of(count) ? with_spaces(s.receipt.*count.member) : "–", of,
+                            count.member == &Receipt::parts       ? "parts changed"
+                            : count.member == &Receipt::systems   ? "systems ran"
+                            : count.member == &Receipt::mutants   ? "mutants caught"
+                            : count.member == &Receipt::blemishes ? "in pictures"
+                                                                  : count.name);
     }
     html += fmt::format("</ul>\n<div class=\"small\">{}, {}, {}; {} runs {}, {:.1f} s</div>\n",
                         xml_safe(s.facts.build), xml_safe(s.facts.machine), xml_safe(s.facts.day),
@@ -266,9 +268,12 @@ std::string mutants(const Summary& s) {
     }
     std::string html = fmt::format(
         "<h2 id=\"mutants\">Mutants: {} of {} caught by "
-        "name</h2>\n<table><thead><tr><th>verdict</th><th>mutant</th>"
+        "name{}</h2>\n<table><thead><tr><th>verdict</th><th>mutant</th>"
         "<th>found as</th></tr></thead><tbody>\n",
-        s.receipt.mutants, s.mutants.size());
+        s.receipt.mutants, s.made(ItemKind::mutant),
+        s.facts.asked.pictures
+            ? fmt::format("; in pictures {} of {}", s.receipt.blemishes, s.made(ItemKind::blemish))
+            : "");
     for (const Row& row : s.mutants) {
         html += fmt::format("<tr>{}<td>{}</td><td>{}</td></tr>\n", state_cell(row), xml_safe(row.result.id),
                             xml_safe(row.result.line));

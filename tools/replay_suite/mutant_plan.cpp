@@ -130,4 +130,32 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
     return items;
 }
 
+std::vector<Item> blemish_items(const std::vector<Item>& replays, const std::vector<Result>& results,
+                                int most) {
+    std::vector<Item> items;
+    for (std::size_t turn = 0; turn < std::size(kBlemishes); ++turn) {
+        std::size_t marks = 0;
+        for (const Item& replay : replays) {
+            const Result* result = passed(results, replay);
+            const json pictures =
+                result != nullptr ? result->verify.value("pictures", json::array()) : json::array();
+            for (const json& picture : pictures) {
+                if (items.size() == static_cast<std::size_t>(most)) {
+                    return items;
+                }
+                const std::string fault = kBlemishes[(turn + marks++) % std::size(kBlemishes)],
+                                  mark = picture.value("mark", "");
+                Item item = replay;
+                item.kind = ItemKind::blemish;
+                item.id = fmt::format("{}:{}~{}", replay.id, mark, fault);
+                item.options.insert(item.options.end(),
+                                    {"--mark", mark, "--picture-fault", fault, "--brief", "--marks-alone"});
+                item.key = derived_key(replay.key, item.options);
+                items.push_back(std::move(item));
+            }
+        }
+    }
+    return items;
+}
+
 }  // namespace lanthorn::suite

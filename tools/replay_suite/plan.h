@@ -20,8 +20,13 @@ enum class ItemKind {
     shuffle,  // the same in another legal order of the schedule: must hold
     watch,    // the same, to learn what each system changes in a step
     mutant,   // with a fault that the suite makes: must fail, and say where
+    blemish,  // with a fault in the picture of a mark: that picture must fail
 };
-inline constexpr const char* kItemKinds[] = {"replay", "shuffle", "watch", "mutant"};
+inline constexpr const char* kItemKinds[] = {"replay", "shuffle", "watch", "mutant", "blemish"};
+// Whether a fault is made in it, which is to be caught.
+constexpr bool is_fault(ItemKind kind) {
+    return kind == ItemKind::mutant || kind == ItemKind::blemish;
+}
 
 // One run of `lanthorn replay verify`.
 struct Item {

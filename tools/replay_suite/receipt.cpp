@@ -15,12 +15,21 @@ namespace lanthorn::suite {
 
 using nlohmann::json;
 
+bool Asked::of(const Count& count) const {
+    return (mutants || (count.member != &Receipt::mutants && count.member != &Receipt::blemishes)) &&
+           (pictures || (count.member != &Receipt::pictures && count.member != &Receipt::blemishes));
+}
+
 Receipt receipt_of(const std::vector<Result>& results) {
     Receipt receipt;
     std::set<std::string> parts, systems;
     for (const Result& result : results) {
-        if (result.kind == ItemKind::mutant || result.kind == ItemKind::watch) {
-            receipt.mutants += result.kind == ItemKind::mutant && result.good() && result.made() ? 1 : 0;
+        if (is_fault(result.kind)) {
+            (result.kind == ItemKind::mutant ? receipt.mutants : receipt.blemishes) +=
+                result.good() && result.made() ? 1 : 0;
+            continue;
+        }
+        if (result.kind == ItemKind::watch) {
             continue;
         }
         receipt.steps += result.count("steps");
@@ -56,6 +65,9 @@ Ratchet read_ratchet(const std::filesystem::path& folder) {
     Ratchet ratchet;
     ratchet.there = true;
     for (const Count& count : kCounts) {
+        if (!from.contains(count.name) && count.member == &Receipt::blemishes) {
+            continue;  // of a version that made none
+        }
         if (!from.contains(count.name) || !from[count.name].is_number_unsigned()) {
             throw InputError(file.string(), count.name, "expected a count");
         }
@@ -65,25 +77,25 @@ Ratchet read_ratchet(const std::filesystem::path& folder) {
     return ratchet;
 }
 
-std::vector<std::string> slips(const Receipt& now, const Ratchet& ratchet, bool has_mutants) {
+std::vector<std::string> slips(const Receipt& now, const Ratchet& ratchet, const Asked& asked) {
     if (!ratchet.there) {
         return {fmt::format("there is no {}: --update-ratchet writes it", kRatchetFile)};
     }
     std::vector<std::string> lines;
     for (const Count& count : kCounts) {
         const std::uint64_t is = now.*count.member, was = ratchet.least.*count.member;
-        if (is < was && (has_mutants || count.member != &Receipt::mutants)) {
+        if (is < was && asked.of(count)) {
             lines.push_back(fmt::format("{} {}, last time {}", is, count.name, was));
         }
     }
     return lines;
 }
 
-void write_ratchet(const std::filesystem::path& folder, const Receipt& now, bool has_mutants,
+void write_ratchet(const std::filesystem::path& folder, const Receipt& now, const Asked& asked,
                    const std::string& reason) {
     const Ratchet before = read_ratchet(folder);
     const std::vector<std::string> fewer =
-        before.there ? slips(now, before, has_mutants) : std::vector<std::string>();
+        before.there ? slips(now, before, asked) : std::vector<std::string>();
     if (!fewer.empty() && reason.find_first_not_of(" \t") == std::string::npos) {
         throw InputError(
             (folder / kRatchetFile).string(), "",
@@ -91,8 +103,7 @@ void write_ratchet(const std::filesystem::path& folder, const Receipt& now, bool
     }
     json to;
     for (const Count& count : kCounts) {
-        const bool kept = count.member == &Receipt::mutants && !has_mutants;
-        to[count.name] = (kept ? before.least : now).*count.member;
+        to[count.name] = (asked.of(count) ? now : before.least).*count.member;
     }
     to["reason"] = fewer.empty() ? before.reason : reason;
     write_file(folder / kRatchetFile, to.dump(2) + "\n");

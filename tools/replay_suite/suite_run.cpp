@@ -122,6 +122,7 @@ Summary run_suite(const SuiteOptions& options, const LevelOf& level_of, const Su
         };
         also(watch_items(replays, results));
         also(mutant_items(replays, results, options.mutants));
+        also(blemish_items(replays, results, options.pictures ? options.mutants : 0));
     }
     RunFacts facts;
     facts.folder = options.folder;
@@ -132,7 +133,7 @@ Summary run_suite(const SuiteOptions& options, const LevelOf& level_of, const Su
     facts.executor =
         options.executor == "slurm" ? "by Slurm" : fmt::format("in {} processes at a time", options.jobs);
     facts.notes = runs.notes();
-    facts.mutated = options.mutants > 0;
+    facts.asked = {options.mutants > 0, options.pictures};
     facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool whole = options.only.empty();
     Summary summary =

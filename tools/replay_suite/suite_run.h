@@ -20,7 +20,8 @@ struct SuiteOptions {
     std::vector<std::string> only;   // names of recordings; all where it is empty
     std::vector<std::string> verify_options;
     int shuffles = 0;  // other orders of the schedule, for every recording
-    int mutants = 0;   // at most, all recordings together
+    int mutants = 0;   // at most, all recordings together; as many again of pictures where these are compared
+    bool pictures = false;  // `verify_options` ask for them
     Limits limits;
     double slice_seconds = 30;        // of work a task, of "slurm"
     std::vector<std::string> sbatch;  // further options of sbatch

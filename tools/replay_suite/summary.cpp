@@ -68,6 +68,11 @@ const char* state_name(State state) {
     return kNames[static_cast<std::size_t>(state)];
 }
 
+std::size_t Summary::made(ItemKind kind) const {
+    return static_cast<std::size_t>(
+        std::ranges::count(mutants, kind, [](const Row& row) { return row.result.kind; }));
+}
+
 bool Summary::red() const {
     const auto is_red = [](const Row& row) { return row.red(); };
     return !faults.empty() || std::ranges::any_of(rows, is_red) || std::ranges::any_of(mutants, is_red);
@@ -88,16 +93,24 @@ Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector
     std::vector<std::string> ids;
     for (Result& result : results) {
         ids.push_back(result.id);
-        if (result.good() &&
-            (result.kind == ItemKind::watch || (result.kind == ItemKind::mutant && !result.made()))) {
+        if (result.good() && (result.kind == ItemKind::watch || (is_fault(result.kind) && !result.made()))) {
             continue;  // it only asked, or found nothing to alter
         }
-        const bool mutant = result.kind == ItemKind::mutant;
+        const bool mutant = is_fault(result.kind);
         Row row = row_of(std::move(result), accepted, today);
         if (mutant && row.state == State::failed) {
             row.word = "SURVIVED";
         }
         (mutant ? summary.mutants : summary.rows).push_back(std::move(row));
+    }
+    if (static_cast<double>(summary.receipt.blemishes) >=
+        kCaught * static_cast<double>(summary.made(ItemKind::blemish))) {
+        for (Row& row : summary.mutants) {
+            if (row.result.kind == ItemKind::blemish && row.state == State::failed) {
+                row.state = State::accepted;
+                row.note = fmt::format("{:.0f} % of the faults of pictures must be caught", 100 * kCaught);
+            }
+        }
     }
     const auto order = [](const Row& a, const Row& b) {
         const auto rank = [](const Row& row) {
@@ -117,7 +130,7 @@ Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector
                                                      kAcceptedFile, a.failure));
             }
         }
-        for (const std::string& slip : slips(summary.receipt, ratchet, summary.facts.mutated)) {
+        for (const std::string& slip : slips(summary.receipt, ratchet, summary.facts.asked)) {
             summary.faults.push_back("ratchet: " + slip);
         }
     }

@@ -33,23 +33,28 @@ struct RunFacts {
     std::string executor;            // words: "on 2 processes of this machine"
     std::vector<std::string> notes;  // what happened on the way: a node that was lost
     double seconds = 0;              // wall clock
-    bool mutated = false;            // mutants were made
+    Asked asked;
 };
 
 struct Summary {
     RunFacts facts;
-    std::vector<Row> rows;            // replays and shuffles; red first, then by name
-    std::vector<Row> mutants;         // survivors first
+    std::vector<Row> rows;  // replays and shuffles; red first, then by name
+    // Faults that were made, of states and of pictures; survivors first. All faults of states must be caught,
+    // and kCaught of those of pictures: above it survivors are listed as accepted.
+    std::vector<Row> mutants;
     std::vector<std::string> faults;  // of the suite as a whole: the ratchet, acceptances of nothing
     Receipt receipt;
     Ratchet ratchet;
     Coverage coverage;
     std::array<std::size_t, kStates> counts{};  // of `rows`, by State
 
+    std::size_t made(ItemKind kind) const;  // faults
     bool red() const;
     // 0 all as expected, 1 something is red, 4 not all could be judged and nothing is red.
     int exit_code() const;
 };
+
+inline constexpr double kCaught = 0.95;
 
 // `whole`: all recordings of the folder were run, so that ratchet and acceptances apply to all.
 Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector<Acceptance>& accepted,

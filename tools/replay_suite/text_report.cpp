@@ -36,9 +36,21 @@ std::string row_lines(const Row& row) {
     return text;
 }
 
+std::string pictures_words(const Summary& s) {
+    return s.facts.asked.pictures
+               ? fmt::format("{} pictures", with_spaces(s.receipt.pictures))
+               : fmt::format("no pictures (last time {})", with_spaces(s.ratchet.least.pictures));
+}
+
 std::string mutants_line(const Summary& s) {
-    return s.facts.mutated ? fmt::format(" Mutants {} of {}.", s.receipt.mutants, s.mutants.size())
-                           : fmt::format(" No mutants (last time {}).", s.ratchet.least.mutants);
+    if (!s.facts.asked.mutants) {
+        return fmt::format(" No mutants (last time {}).", s.ratchet.least.mutants);
+    }
+    std::string line = fmt::format(" Mutants {} of {}", s.receipt.mutants, s.made(ItemKind::mutant));
+    if (s.facts.asked.pictures) {
+        line += fmt::format(", in pictures {} of {}", s.receipt.blemishes, s.made(ItemKind::blemish));
+    }
+    return line + ".";
 }
 
 json row_json(const Row& row) {
@@ -94,8 +106,8 @@ std::string text_report(const Summary& s) {
             never.push_back(part.name);
         }
     }
-    text += fmt::format("Compared {} steps, {} hashes, {} pictures.", with_spaces(s.receipt.steps),
-                        with_spaces(s.receipt.hashes), with_spaces(s.receipt.pictures));
+    text += fmt::format("Compared {} steps, {} hashes, {}.", with_spaces(s.receipt.steps),
+                        with_spaces(s.receipt.hashes), pictures_words(s));
     if (!s.coverage.parts.empty()) {
         text += fmt::format(" {} of {} parts changed{}{}.", s.receipt.parts, s.coverage.parts.size(),
                             never.empty() ? "" : "; never: ", fmt::join(never, ", "));

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "engine/core/crash_report.h"
 #include "engine/core/json.h"
@@ -18,18 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-// A folder that goes with what is in it.
-struct Scratch {
-    explicit Scratch(fs::path at) : path(std::move(at)) { make_folder(path); }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    const fs::path path;
-};
 
 std::string host() {
     char name[256] = {};
@@ -106,6 +93,26 @@ void judge_mutant(const std::vector<std::string>& expected, Result& result) {
     }
 }
 
+// Whether the picture in which a fault was made is found to be wrong.
+void judge_blemish(Result& result) {
+    const json pictures =
+        result.verify.is_object() ? result.verify.value("pictures", json::array()) : json::array();
+    if (pictures.empty()) {
+        return;  // it could not be drawn
+    }
+    const json& picture = pictures.front();
+    const std::string fault = picture.value("fault", "");
+    result.verdict = Verdict::ok;
+    if (fault.empty()) {
+        result.line = "not made: nothing of the kind is there";
+    } else if (picture.value("failed", false)) {
+        result.line = fmt::format("{}: {}", fault, picture.value("text", ""));
+    } else {
+        result.line = fmt::format("survived: {}: {}", fault, picture.value("text", ""));
+        result.verdict = Verdict::failed;
+    }
+}
+
 }  // namespace
 
 struct Worker::Attempt {
@@ -125,9 +132,9 @@ Worker::Worker(const Plan& plan, fs::path scratch, std::function<bool()> stop)
 
 Worker::Attempt Worker::attempt(const Item& item, int run) const {
     const Scratch scratch(scratch_ / fmt::format("{}-{}-{}-{}", item.key, host(), getpid(), run));
-    const fs::path progress = scratch.path / "progress", crash = scratch.path / "crash";
-    std::vector<std::string> command = {plan_.program, "replay", "verify", item.file,    "--result",
-                                        scratch.path,  "--as",   "result", "--progress", progress};
+    const fs::path progress = scratch.folder() / "progress", crash = scratch.folder() / "crash";
+    std::vector<std::string> command = {plan_.program,    "replay", "verify", item.file,    "--result",
+                                        scratch.folder(), "--as",   "result", "--progress", progress};
     command.insert(command.end(), plan_.options.begin(), plan_.options.end());
     command.insert(command.end(), item.options.begin(), item.options.end());
     const ChildRun child = run_limited(command,
@@ -140,7 +147,7 @@ Worker::Attempt Worker::attempt(const Item& item, int run) const {
     result.key = item.key;
     result.kind = item.kind;
     result.times = {{"host", host()}, {"wall_s", child.wall_s}, {"cpu_s", child.cpu_s}};
-    if (const std::string text = read_if_there(scratch.path / "result.json"); !text.empty()) {
+    if (const std::string text = read_if_there(scratch.folder() / "result.json"); !text.empty()) {
         const json verify = parse_json_object(text, "result.json", "a result");
         result.verify = without_times(verify);
         if (verify.contains("simulated_steps_per_second")) {
@@ -202,6 +209,9 @@ Worker::Attempt Worker::attempt(const Item& item, int run) const {
     if (item.kind == ItemKind::mutant && child.end == ChildRun::End::exited && !made.machine) {
         judge_mutant(item.expect, result);
     }
+    if (item.kind == ItemKind::blemish && child.end == ChildRun::End::exited && !made.machine) {
+        judge_blemish(result);
+    }
     result.failure = failure_id(result);
     return made;
 }
@@ -211,7 +221,7 @@ std::optional<Result> Worker::judge(const Item& item) const {
     if (first.stopped) {
         return {};
     }
-    if (first.result.good() || item.kind == ItemKind::mutant) {
+    if (first.result.good() || is_fault(item.kind)) {
         return first.result;
     }
     Attempt second = attempt(item, 2);

@@ -98,16 +98,16 @@ TEST(Ratchet, GoesUpFreelyAndDownWithAReason) {
     const TemporaryFolder folder;
     Receipt receipt = receipt_of({passed("a.rec")});
     EXPECT_FALSE(read_ratchet(folder.path()).there);
-    write_ratchet(folder.path(), receipt, false, "");
-    EXPECT_TRUE(slips(receipt, read_ratchet(folder.path()), false).empty());
+    write_ratchet(folder.path(), receipt, {}, "");
+    EXPECT_TRUE(slips(receipt, read_ratchet(folder.path()), {}).empty());
     receipt.steps += 5;
-    write_ratchet(folder.path(), receipt, false, "");
+    write_ratchet(folder.path(), receipt, {}, "");
     EXPECT_EQ(read_ratchet(folder.path()).least.steps, 105u);
     receipt.steps -= 6;
-    EXPECT_EQ(slips(receipt, read_ratchet(folder.path()), false),
+    EXPECT_EQ(slips(receipt, read_ratchet(folder.path()), {}),
               std::vector<std::string>{"99 steps, last time 105"});
-    EXPECT_THROW(write_ratchet(folder.path(), receipt, false, " "), InputError);
-    write_ratchet(folder.path(), receipt, false, "the tour is shorter");
+    EXPECT_THROW(write_ratchet(folder.path(), receipt, {}, " "), InputError);
+    write_ratchet(folder.path(), receipt, {}, "the tour is shorter");
     EXPECT_EQ(read_ratchet(folder.path()).reason, "the tour is shorter");
 }
 
@@ -115,11 +115,11 @@ TEST(Ratchet, ARunWithoutMutantsKeepsTheirs) {
     const TemporaryFolder folder;
     Receipt receipt = receipt_of({passed("a.rec")});
     receipt.mutants = 40;
-    write_ratchet(folder.path(), receipt, true, "");
+    write_ratchet(folder.path(), receipt, {.mutants = true}, "");
     receipt.mutants = 0;
-    EXPECT_TRUE(slips(receipt, read_ratchet(folder.path()), false).empty());
-    EXPECT_FALSE(slips(receipt, read_ratchet(folder.path()), true).empty());
-    write_ratchet(folder.path(), receipt, false, "");
+    EXPECT_TRUE(slips(receipt, read_ratchet(folder.path()), {}).empty());
+    EXPECT_FALSE(slips(receipt, read_ratchet(folder.path()), {.mutants = true}).empty());
+    write_ratchet(folder.path(), receipt, {}, "");
     EXPECT_EQ(read_ratchet(folder.path()).least.mutants, 40u);
 }
 

@@ -121,6 +121,39 @@ TEST(Summary, ASurvivingMutantIsRed) {
     EXPECT_EQ(summary_of({passed("a.rec"), mutant}).exit_code(), 1);
 }
 
+TEST(Summary, OneInTwentyFaultsOfPicturesMaySurvive) {
+    std::vector<Result> results = {passed("a.rec")};
+    for (int i = 0; i < 20; ++i) {
+        Result blemish = passed("a.rec:door~" + std::to_string(i));
+        blemish.kind = ItemKind::blemish;
+        blemish.verify["mutant"] = {{"made", true}};
+        results.push_back(blemish);
+    }
+    results[1].verdict = Verdict::failed;
+    const Summary one = summary_of(results);
+    EXPECT_EQ(one.exit_code(), 0);
+    EXPECT_EQ(one.receipt.blemishes, 19u);
+    EXPECT_EQ(one.receipt.mutants, 0u);
+    EXPECT_EQ(one.mutants.front().word, "SURVIVED");
+    EXPECT_NE(text_report(one).find("SURVIVED"), std::string::npos);
+    results[2].verdict = Verdict::failed;
+    EXPECT_EQ(summary_of(results).exit_code(), 1);
+}
+
+TEST(Summary, CountsAreHeldAgainstTheRatchetWhereTheyWereAskedFor) {
+    const std::vector<Result> results = {passed("a.rec")};
+    Ratchet ratchet = reached(results);
+    ratchet.least.pictures = 3;
+    ratchet.least.blemishes = 2;
+    EXPECT_EQ(summarise({}, results, {}, ratchet, kToday, true).exit_code(), 0);
+    RunFacts facts;
+    facts.asked = {.mutants = false, .pictures = true};
+    EXPECT_EQ(summarise(facts, results, {}, ratchet, kToday, true).faults,
+              std::vector<std::string>{"ratchet: 0 pictures, last time 3"});
+    facts.asked.mutants = true;
+    EXPECT_EQ(summarise(facts, results, {}, ratchet, kToday, true).faults.size(), 2u);
+}
+
 TEST(Reports, WriteOutWhatWouldBeMarks) {
     Result failure = diverged("a.rec");
     failure.line = "<script>alert('x')</script> & \x01";

@@ -88,7 +88,18 @@ TEST(ReplayJudge, WhatIsExpectedIsHeldAgainstWhatHappens) {
     EXPECT_EQ(verdict_of("solved after 500"), Check::Verdict::ok);
     EXPECT_EQ(verdict_of("solved before 500"), Check::Verdict::failed);
     EXPECT_THROW(verdict_of("solved by step 500"), InputError);
-    EXPECT_THROW(verdict_of("event door.opened"), InputError);
+    // Of entities by their declared fields.
+    EXPECT_EQ(verdict_of("emerald crystal.awake before 1500"), Check::Verdict::ok);
+    EXPECT_EQ(verdict_of("emerald crystal.awake before 300"), Check::Verdict::failed);
+    EXPECT_EQ(verdict_of("green-pane pushed.share > 0.3 after 100"), Check::Verdict::ok);
+    EXPECT_EQ(verdict_of("green-pane pushed.share > 2"), Check::Verdict::failed);
+    EXPECT_EQ(verdict_of("ruby crystal.symbol = square"), Check::Verdict::failed);
+    for (const char* line :
+         {"event door.opened", "emerald crystal.open", "emerald door.open", "emerald crystal.charge",
+          "emerald crystal.charge > much", "emerald crystal.symbol > 1", "emerald awake",
+          "emerald crystal.awake by 300", "emerald crystal.awake before", ""}) {
+        EXPECT_THROW(verdict_of(line), InputError) << line;
+    }
     std::filesystem::remove(file);
 }
 

@@ -35,24 +35,6 @@ struct Options {
     bool whole = false;
 };
 
-// A folder that goes with what is in it.
-class Scratch {
-  public:
-    Scratch() : path_(fs::temp_directory_path() / fmt::format("lanthorn-adopt-{}", ::getpid())) {
-        suite::make_folder(path_);
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    fs::path at(const char* name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-};
-
 // What became of a replay in a process of its own.
 struct Fate {
     int signal = 0;          // that ended it; 0: none
@@ -237,7 +219,7 @@ class Adoption {
 
     const Options& options_;
     const Clock::time_point start_ = Clock::now();
-    const Scratch scratch_;
+    const suite::Scratch scratch_ = suite::Scratch::temporary("lanthorn-adopt");
     replay::Recording recording_;
     std::shared_ptr<const LevelFile> level_;
     struct {

@@ -165,11 +165,11 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     std::size_t resynchronised = 0;
     const double cpu_before = cpu_now();
     const auto before = std::chrono::steady_clock::now();
-    while (!replayed.session().done()) {
+    while (!choice.marks_alone && !replayed.session().done()) {
         replayed.app().step();
         systems.add(replayed.app().fixed_schedule());
         resynchronised += resynchronise(replayed, *recording) ? 1 : 0;
-        expectations.look(replayed.world(), replayed.session().steps());
+        expectations.look(replayed.world(), replayed.app().registry(), replayed.session().steps());
         if (look) {
             look->look(replayed.app(), replayed.session().steps(), v.steps);
         }
@@ -185,10 +185,15 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     v.speed = static_cast<double>(v.steps) / std::max(took.count(), 1e-9);
     v.systems_ran = systems.take();
     v.comparison = replayed.comparison();
-    v.checks = {live(v.comparison, *recording, expectations),
-                state(v.comparison, v.header.step_rate, resynchronised),
-                sensors(*replayed.session().sensor_check(), readings_of(*recording)), expectations.check(),
-                Check{"time", Check::Verdict::none, time_words(v, look != nullptr)}};
+    if (!choice.marks_alone) {
+        v.checks = {live(v.comparison, *recording, expectations),
+                    state(v.comparison, v.header.step_rate, resynchronised),
+                    sensors(*replayed.session().sensor_check(), readings_of(*recording)),
+                    replayed.session().done()
+                        ? expectations.check()
+                        : Check{"expectations", Check::Verdict::none, "it was not played to its end"},
+                    Check{"time", Check::Verdict::none, time_words(v, look != nullptr)}};
+    }
     PictureChoice marks = choice.pictures;
     marks.drawn = [&, n = std::uint64_t{0}]() mutable {
         if (choice.at_step) {

@@ -21,6 +21,7 @@ struct JudgeChoice {
     bool sensors = false;                   // draw, so that light sensors read again
     std::uint64_t heavy = 0;                // steps from one heavy_check() to the next; 0: none
     PictureChoice pictures = {};            // at the recording's marks, drawn after it was played
+    bool marks_alone = false;               // these are looked at, and nothing else is compared
     std::function<void(App&)> extend = {};  // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step
     std::function<bool(std::uint64_t step)> enough = {};   // after every step: whether to end with it

@@ -1,6 +1,7 @@
 // lanthorn replay pack FILE: writes a recording again, packed, with what is to be said of it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -40,15 +41,21 @@ ExitCode pack(const Options& options) {
     replay::Recording recording = replay::read_recording(options.file);
     replay::Annotations& a = recording.annotations;
     a.notes.insert(a.notes.end(), options.notes.begin(), options.notes.end());
-    a.expectations.insert(a.expectations.end(), options.expectations.begin(), options.expectations.end());
+    for (const std::string& line : options.expectations) {
+        if (std::ranges::find(a.expectations, line) == a.expectations.end()) {
+            a.expectations.push_back(line);
+        }
+    }
     const Expectations checked(options.file, a.expectations);
     for (const std::string& text : options.marks) {
-        a.marks.push_back(mark_of(text));
-        if (a.marks.back().step > recording.steps.size()) {
-            throw InputError(options.file, "--mark",
-                             fmt::format("found step {}, expected at most {}", a.marks.back().step,
-                                         recording.steps.size()));
+        const replay::Mark mark = mark_of(text);
+        if (mark.step > recording.steps.size()) {
+            throw InputError(
+                options.file, "--mark",
+                fmt::format("found step {}, expected at most {}", mark.step, recording.steps.size()));
         }
+        std::erase_if(a.marks, [&](const replay::Mark& before) { return before.name == mark.name; });
+        a.marks.push_back(mark);
     }
     if (options.states > 0) {
         const auto level = read_level(options.file, recording.header, options.level);
@@ -75,9 +82,12 @@ Command add_replay_pack(CLI::App& replay) {
     command
         ->add_option(
             "--expect", options->expectations,
-            "repeatable: \"solved\", \"solved before STEP\", \"solved after STEP\": verify checks it")
+            "repeatable, verify checks it: \"WHAT before STEP\", \"WHAT after STEP\" or \"WHAT\", with WHAT "
+            "\"solved\" or \"ENTITY COMPONENT.FIELD [=<> VALUE]\": \"door door.open after 300\"")
         ->allow_extra_args(false);
-    command->add_option("--mark", options->marks, "repeatable: STEP:NAME[:CAMERA], a moment worth a picture")
+    command
+        ->add_option("--mark", options->marks,
+                     "repeatable: STEP:NAME[:CAMERA], a moment worth a picture; in place of one of that name")
         ->allow_extra_args(false);
     command
         ->add_option("--states", options->states,

@@ -1,42 +1,16 @@
 #include "tools/lanthorn/replay/reference.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "tools/lanthorn/common/child_process.h"
+#include "tools/replay_suite/files.h"
 
 namespace lanthorn::tools {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// A folder of our own, which goes with it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "lanthorn-replay-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            throw InputError(name, "", "cannot be made");
-        }
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    std::string file(const char* name) const { return (path_ / name).string(); }
-
-  private:
-    fs::path path_;
-};
 
 class ProgramReference final : public Reference {
   public:
@@ -45,7 +19,7 @@ class ProgramReference final : public Reference {
 
     replay::Recording played(const replay::Recording& inputs) override {
         run(inputs, {});
-        return replay::read_recording(folder_.file("out"));
+        return replay::read_recording(folder_.at("out").string());
     }
     TracedStep traced(const replay::Recording& inputs, std::uint64_t step,
                       const std::string& after) override {
@@ -54,14 +28,14 @@ class ProgramReference final : public Reference {
             more.insert(more.end(), {"--after", after});
         }
         run(inputs, more);
-        return read_trace(folder_.file("out"));
+        return read_trace(folder_.at("out").string());
     }
 
   private:
     void run(const replay::Recording& inputs, const std::vector<std::string>& more) {
-        replay::write_recording(folder_.file("inputs.rec"), inputs);
-        std::vector<std::string> arguments = {program_,  "replay", "state", folder_.file("inputs.rec"),
-                                              "--level", level_,   "-o",    folder_.file("out")};
+        replay::write_recording(folder_.at("inputs.rec").string(), inputs);
+        std::vector<std::string> arguments = {program_,  "replay", "state", folder_.at("inputs.rec").string(),
+                                              "--level", level_,   "-o",    folder_.at("out").string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ChildOutcome outcome = run_child(arguments);
         if (!outcome.ok()) {
@@ -69,7 +43,7 @@ class ProgramReference final : public Reference {
         }
     }
     std::string program_, level_;
-    TemporaryFolder folder_;
+    const suite::Scratch folder_ = suite::Scratch::temporary("lanthorn-replay");
 };
 
 class OwnReference final : public Reference {

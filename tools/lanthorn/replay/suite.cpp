@@ -77,6 +77,7 @@ ExitCode run(Options& options) {
     if (options.threads != 1) {
         o.verify_options.insert(o.verify_options.end(), {"--threads", std::to_string(options.threads)});
     }
+    o.pictures = options.pictures;
     if (options.pictures) {
         o.verify_options.emplace_back("--pictures");
     }
@@ -116,7 +117,7 @@ ExitCode run(Options& options) {
                                     [] { return StopSignal::asked(); }});
     }
     if (options.update_ratchet && !stop.asked()) {
-        suite::write_ratchet(o.folder, summary.receipt, summary.facts.mutated, options.reason);
+        suite::write_ratchet(o.folder, summary.receipt, summary.facts.asked, options.reason);
         summary.ratchet = suite::read_ratchet(o.folder);
         std::erase_if(summary.faults,
                       [](const std::string& fault) { return fault.starts_with("ratchet: "); });
@@ -194,7 +195,9 @@ Command add_replay_suite(CLI::App& app) {
                       "also compare pictures at marks with their baselines: needs OpenGL");
     command->add_flag("--light", options->light,
                       "also compare the error of light there, against the path tracer");
-    command->add_option("--mutate", o.mutants, "up to N faults, each of which must be caught by name")
+    command
+        ->add_option("--mutate", o.mutants,
+                     "up to N faults, each of which must be caught by name; with --pictures as many in these")
         ->check(CLI::Range(1, 100000));
     command
         ->add_option("--shuffle", o.shuffles, "every recording also in N other legal orders of the schedule")

@@ -46,12 +46,31 @@ nlohmann::ordered_json pictures_json(const std::vector<PictureVerdict>& pictures
             one["light_failed"] = p.light_failed;
             one["light"] = p.light;
         }
+        if (!p.fault.empty()) {
+            one["fault"] = p.fault;
+        }
         list.push_back(std::move(one));
     }
     return list;
 }
 
 }  // namespace
+
+PictureVerdict picture_of(const nlohmann::json& json) {
+    PictureVerdict p;
+    p.mark = json.at("mark");
+    p.step = json.at("step");
+    p.failed = json.at("failed");
+    p.text = json.at("text");
+    p.fault = json.value("fault", "");
+    p.flip = json.at("flip");
+    p.light_failed = json.value("light_failed", false);
+    p.light = json.value("light", "");
+    p.actual = json.at("actual");
+    p.expected = json.at("expected");
+    p.difference = json.at("difference");
+    return p;
+}
 
 bool Verdict::failed() const {
     return std::ranges::any_of(checks, [](const Check& c) { return c.verdict == Check::Verdict::failed; });

@@ -38,6 +38,7 @@ struct PictureVerdict {
     std::uint64_t step = 0;
     bool failed = false;        // the picture
     std::string text = {};      // one line
+    std::string fault = {};     // that was made to be found; empty: none
     double flip = 0;            // found; 0: equal to the bit, or nothing to compare
     bool light_failed = false;  // worse than the baseline's
     std::string light = {};     // one line; empty: not measured
@@ -72,5 +73,7 @@ std::string verdict_text(const Verdict& verdict);
 // The same as in docs/replay.md. Of two runs of one build the same but for simulated_steps_per_second and
 // cpu_s.
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
+// An entry of its list `pictures`.
+PictureVerdict picture_of(const nlohmann::json& json);
 
 }  // namespace lanthorn::tools

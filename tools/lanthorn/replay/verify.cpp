@@ -1,9 +1,11 @@
 // lanthorn replay verify FILE...: whether recordings still lead to the states that they led to.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +17,7 @@
 #include "lanthorn/core/progress.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/mutant.h"
+#include "tools/lanthorn/replay/pictures/mark_processes.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 
 namespace lanthorn::tools {
@@ -28,6 +31,7 @@ struct Options {
     std::string result, as, progress, mutant, picture_fault;
     std::uint64_t shuffle = 0;  // seed; 0: the usual order
     JudgeChoice judge;
+    int jobs = 1;  // marks at a time
     bool json = false, brief = false;
 };
 
@@ -54,17 +58,41 @@ class ProgressFile {
     Clock::time_point written_ = Clock::now();
 };
 
-Verdict judged(const std::string& file, const Options& options) {
-    ProgressFile watched(options.progress);
-    JudgeChoice choice = options.judge;
-    choice.at_step = [&](std::uint64_t step) { watched.update(step); };
+PictureChoice picture_choice(const Options& options) {
+    PictureChoice choice = options.judge.pictures;
     if (!options.picture_fault.empty()) {
-        choice.pictures.fault = parse_picture_fault(options.picture_fault);
+        choice.fault = parse_picture_fault(options.picture_fault);
     }
     if (!options.mutant.empty() || options.shuffle != 0) {
         // A strange state is strange to look at, and the same state needs no second look.
-        choice.pictures.pictures = choice.pictures.light = false;
+        choice.pictures = choice.light = false;
     }
+    if (choice.fault && options.brief) {
+        choice.light = false;
+        choice.out.clear();
+    }
+    return choice;
+}
+
+// Several marks at a time; null where one at a time is enough.
+std::unique_ptr<MarkProcesses> begun(const Options& options) {
+    const PictureChoice choice = picture_choice(options);
+    if (options.jobs == 1 || (!choice.pictures && !choice.light)) {
+        return nullptr;
+    }
+    std::vector<std::string> further;
+    if (!options.judge.level.empty()) {
+        further = {"--level", options.judge.level};
+    }
+    return std::make_unique<MarkProcesses>(options.jobs, options.files, choice, further);
+}
+
+Verdict judged(const std::string& file, const Options& options, MarkProcesses* marks) {
+    ProgressFile watched(options.progress);
+    JudgeChoice choice = options.judge;
+    choice.at_step = [&](std::uint64_t step) { watched.update(step); };
+    const PictureChoice pictures = picture_choice(options);
+    choice.pictures = marks == nullptr ? pictures : PictureChoice();
     ecs::shuffle_schedules(options.shuffle);
     std::shared_ptr<const MutantReport> planted;
     // The step that was altered has been compared by then, and what a strange state leads to is no matter.
@@ -80,6 +108,15 @@ Verdict judged(const std::string& file, const Options& options) {
         Verdict verdict = judge(file, choice);
         if (planted) {
             verdict.mutant = *planted;
+        }
+        if (marks != nullptr) {
+            PictureResults found = marks->of(file);
+            verdict.pictures = std::move(found.pictures);
+            std::ranges::move(found.checks, std::back_inserter(verdict.checks));
+        }
+        if (pictures.fault && !verdict.pictures.empty()) {
+            const PictureVerdict& first = verdict.pictures.front();
+            verdict.mutant = {!first.fault.empty(), first.step, {}, first.fault, {}};
         }
         return verdict;
     } catch (const InputError& e) {
@@ -108,8 +145,9 @@ ExitCode verify(const Options& options) {
     check_usage(options);
     ExitCode code = ExitCode::ok;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    const std::unique_ptr<MarkProcesses> marks = begun(options);
     for (const std::string& file : options.files) {
-        const Verdict verdict = judged(file, options);
+        const Verdict verdict = judged(file, options, marks.get());
         const nlohmann::ordered_json json = verdict_json(verdict);
         if (!options.result.empty()) {
             const std::string name = options.as.empty() ? fs::path(file).stem().string() : options.as;
@@ -167,10 +205,21 @@ Command add_replay_verify(CLI::App& replay) {
         ->type_name("NAME")
         ->allow_extra_args(false);
     command
+        ->add_option("--seed", options->judge.pictures.seed,
+                     "the first of those that pictures and light are drawn with; default: the baseline's. "
+                     "Another is as another machine: with noise of its own")
+        ->check(CLI::Range(0, 1'000'000'000))
+        ->type_name("N");
+    command
         ->add_option("--picture-fault", options->picture_fault,
-                     "a fault to make in pictures, to see whether it is found: lamp, off, moved, indirect, "
-                     "nan, half or black")
+                     "a fault to make in pictures, to see whether it is found: lamp, off, moved, shadow, "
+                     "indirect, nan, half, black or tenth")
         ->type_name("FAULT");
+    command->add_option("--jobs", options->jobs, "marks to look at at a time, each in a process of its own")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str()
+        ->type_name("N");
+    command->add_flag("--marks-alone", options->judge.marks_alone, "look at marks and compare nothing else");
     command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
         ->type_name("DIR");
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");
@@ -183,8 +232,10 @@ Command add_replay_verify(CLI::App& replay) {
                      "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or "
                      "skip:physics@30")
         ->type_name("FAULT");
-    command->add_flag("--brief", options->brief,
-                      "end after the step in which the fault of --mutant was made");
+    command->add_flag(
+        "--brief", options->brief,
+        "end after the step in which the fault of --mutant was made; with --picture-fault: no light, "
+        "and nothing written to --picture-out");
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
     return [options] { return verify(*options); };
 }

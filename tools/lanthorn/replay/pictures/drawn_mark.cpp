@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
@@ -15,6 +17,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/components.h"
+#include "lanthorn/scene/hierarchy.h"
 #include "lanthorn/workbench/reference_pairs.h"
 
 namespace lanthorn::tools {
@@ -48,31 +51,67 @@ void round_to_8_bits(ImageF& image) {
     }
 }
 
-// Draws the frames of a view in an App whose state is there.
-void show(App& app, const MarkedMoment& at, const MarkView& view, const std::function<void(App&)>& alter) {
-    SettingsSchema schema;
-    gi::declare_settings(schema);
-    gi::add_picture_plugins(app, settings_of(schema, view));
-    if (alter) {
-        alter(app);
+using Places = std::map<ecs::Entity, LocalTransform>;
+
+Places places_of(const ecs::World& world) {
+    Places places;
+    world.query<ecs::Read<LocalTransform>>().each(
+        [&](ecs::Entity e, const LocalTransform& place) { places.emplace(e, place); });
+    return places;
+}
+
+bool is_drawn(const ecs::World& world, ecs::Entity e) {
+    const std::vector<ecs::Entity> below = descendants(world, e);
+    const auto has_mesh = [&](ecs::Entity one) { return world.try_get<MeshInstances>(one) != nullptr; };
+    return has_mesh(e) || std::ranges::any_of(below, has_mesh);
+}
+
+// Of what is drawn, what is not where it was; none below another.
+std::vector<ecs::Entity> moved_since(const Places& before, const ecs::World& world) {
+    std::set<ecs::Entity> moved;
+    for (const auto& [e, place] : places_of(world)) {
+        const auto was = before.find(e);
+        if ((was == before.end() || !(was->second == place)) && is_drawn(world, e)) {
+            moved.insert(e);
+        }
     }
-    for (int i = 0; i < view.frames; ++i) {
-        app.show_at(static_cast<double>(at.mark.step) / kStepsPerSecond);
+    std::vector<ecs::Entity> roots;
+    for (const ecs::Entity e : moved) {
+        ecs::Entity above = parent_of(world, e);
+        while (above != ecs::kNullEntity && !moved.contains(above)) {
+            above = parent_of(world, above);
+        }
+        if (above == ecs::kNullEntity) {
+            roots.push_back(e);
+        }
     }
+    return roots;
 }
 
 }  // namespace
 
 MarkArtist::MarkArtist(std::shared_ptr<const LevelFile> level, std::string file,
-                       std::shared_ptr<const replay::Recording> recording)
+                       std::shared_ptr<const replay::Recording> recording, std::function<void()> on_frame)
     : level_(std::move(level)),
       file_(std::move(file)),
       recording_(std::move(recording)),
+      on_frame_(std::move(on_frame)),
       context_(gpu::create_headless_context()) {}
 
-std::unique_ptr<ReplayedLevel> MarkArtist::at(const MarkedMoment& at, const MarkView& view) const {
+void MarkArtist::show(App& app, const MarkedMoment& at, int frames) const {
+    for (int i = 0; i < frames; ++i) {
+        app.show_at(static_cast<double>(at.mark.step) / kStepsPerSecond);
+        if (on_frame_) {
+            on_frame_();
+        }
+    }
+}
+
+std::unique_ptr<ReplayedLevel> MarkArtist::at(const MarkedMoment& at, const MarkView& view,
+                                              std::vector<ecs::Entity>* moved) const {
     auto replayed = std::make_unique<ReplayedLevel>(*level_, file_, recording_);
     App& app = replayed->app();
+    const Places before = moved != nullptr ? places_of(app.world()) : Places();
     replayed->session().jump(
         session::Moment(at.mark.step, ecs::Snapshot::from_bytes(at.state, app.registry(), file_)));
     app.view().size = view.size;
@@ -83,16 +122,32 @@ std::unique_ptr<ReplayedLevel> MarkArtist::at(const MarkedMoment& at, const Mark
                              fmt::format("found no camera called '{}' in {}", at.mark.camera, level_->path));
         }
     }
+    if (moved != nullptr) {
+        *moved = moved_since(before, app.world());
+    }
+    return replayed;
+}
+
+std::unique_ptr<ReplayedLevel> MarkArtist::open(const MarkedMoment& at, const MarkView& view,
+                                                std::vector<ecs::Entity>* moved) const {
+    std::unique_ptr<ReplayedLevel> replayed = this->at(at, view, moved);
+    SettingsSchema schema;
+    gi::declare_settings(schema);
+    gi::add_picture_plugins(replayed->app(), settings_of(schema, view));
     return replayed;
 }
 
 MarkPicture MarkArtist::draw(const MarkedMoment& at, const MarkView& view,
                              const std::function<void(App&)>& alter) const {
-    const std::unique_ptr<ReplayedLevel> replayed = this->at(at, view);
+    const std::unique_ptr<ReplayedLevel> replayed = open(at, view);
     App& app = replayed->app();
-    show(app, at, view, alter);
+    if (alter) {
+        alter(app);
+    }
+    show(app, at, view.frames);
     const render::FrameRenderer& frame = *app.world().resource<Renderer>().frame;
-    MarkPicture picture{frame.read(render::Aov::final), frame.read(render::Aov::radiance), 0};
+    MarkPicture picture{frame.read(render::Aov::final), frame.read(render::Aov::radiance),
+                        frame.read(render::Aov::depth), frame.exposure(), 0};
     picture.nan_count = frame.nan_count() +
                         app.world().resource<gi::ActiveTechnique>().technique->statistics(false).nan_count;
     round_to_8_bits(picture.shown);
@@ -101,8 +156,11 @@ MarkPicture MarkArtist::draw(const MarkedMoment& at, const MarkView& view,
 
 ImageF MarkArtist::indirect(const MarkedMoment& at, const MarkView& view,
                             const std::function<void(App&)>& alter) const {
-    const std::unique_ptr<ReplayedLevel> replayed = this->at(at, view);
-    show(replayed->app(), at, view, alter);
+    const std::unique_ptr<ReplayedLevel> replayed = open(at, view);
+    if (alter) {
+        alter(replayed->app());
+    }
+    show(replayed->app(), at, view.frames);
     return replayed->app().world().resource<Renderer>().frame->read(render::Aov::indirect);
 }
 
@@ -119,12 +177,11 @@ workbench::ReferencePair MarkArtist::truth(const MarkedMoment& at, const MarkVie
 
 std::vector<MarkedMoment> marked_moments(const LevelFile& level, const std::string& file,
                                          const std::shared_ptr<const replay::Recording>& recording,
-                                         int threads) {
+                                         const std::vector<replay::Mark>& marks, int threads) {
     std::vector<MarkedMoment> moments;
-    for (const replay::Mark& mark : recording->annotations.marks) {
+    for (const replay::Mark& mark : marks) {
         moments.push_back({mark, ""});
     }
-    std::ranges::stable_sort(moments, {}, [](const MarkedMoment& m) { return m.mark.step; });
     ReplayedLevel replayed(level, file, recording, {.threads = threads});
     session::Session& session = replayed.session();
     for (MarkedMoment& m : moments) {

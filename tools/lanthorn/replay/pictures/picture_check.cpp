@@ -21,22 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<MarkedMoment> chosen(const LevelFile& level, const std::string& file,
-                                 const std::shared_ptr<const replay::Recording>& recording,
-                                 const std::vector<std::string>& names, int threads) {
-    for (const std::string& name : names) {
-        if (std::ranges::find(recording->annotations.marks, name, &replay::Mark::name) ==
-            recording->annotations.marks.end()) {
-            throw InputError(file, "mark", fmt::format("found none called '{}'", name));
-        }
-    }
-    std::vector<MarkedMoment> moments = marked_moments(level, file, recording, threads);
-    std::erase_if(moments, [&](const MarkedMoment& m) {
-        return !names.empty() && std::ranges::find(names, m.mark.name) == names.end();
-    });
-    return moments;
-}
-
 bool all_finite(const ImageF& image) {
     return std::ranges::all_of(image.pixels, [](float v) { return std::isfinite(v); });
 }
@@ -51,15 +35,14 @@ class Checker {
     PictureVerdict light(const MarkedMoment& at, PictureVerdict verdict) const;
 
   private:
-    void tell() const {
-        if (choice_.drawn) {
-            choice_.drawn();
-        }
+    // What a fault that is asked for is made of; found once a mark.
+    FaultTargets targets_of(const MarkedMoment& at, const MarkView& view) const {
+        return choice_.fault ? fault_targets(artist_, at, view) : FaultTargets();
     }
-    MarkPicture drawn(const MarkedMoment& at, const MarkView& view) const;
-    std::string judged(const MarkedMoment& at, const Baseline& baseline, const MarkPicture& first,
-                       PictureVerdict& verdict) const;
-    LightError error(const MarkedMoment& at, const MarkView& view,
+    MarkPicture drawn(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets) const;
+    std::string judged(const MarkedMoment& at, const Baseline& baseline, MarkView view,
+                       const FaultTargets& targets, const MarkPicture& first, PictureVerdict& verdict) const;
+    LightError error(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets,
                      const workbench::ReferencePair& truth) const;
     void write(const std::string& mark, const ImageF& actual, const Baseline* expected,
                PictureVerdict& verdict) const;
@@ -69,17 +52,9 @@ class Checker {
     const PictureChoice& choice_;
 };
 
-MarkPicture Checker::drawn(const MarkedMoment& at, const MarkView& view) const {
-    const auto fault = choice_.fault;
-    MarkPicture picture = artist_.draw(at, view, [&](App& app) {
-        if (fault) {
-            make_fault(*fault, app);
-        }
-    });
-    if (fault) {
-        make_fault(*fault, picture);
-    }
-    tell();
+MarkPicture Checker::drawn(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets) const {
+    MarkPicture picture =
+        choice_.fault ? draw_with_fault(artist_, at, view, *choice_.fault, targets) : artist_.draw(at, view);
     return picture;
 }
 
@@ -106,7 +81,13 @@ void Checker::write(const std::string& mark, const ImageF& actual, const Baselin
 PictureVerdict Checker::picture(const MarkedMoment& at) const {
     PictureVerdict verdict{.mark = at.mark.name, .step = at.mark.step};
     const std::optional<Baseline> baseline = read_baseline(file_, at.mark.name);
-    const MarkPicture now = drawn(at, baseline ? baseline->view : MarkView());
+    MarkView view = baseline ? baseline->view : MarkView();
+    view.seed = choice_.seed.value_or(view.seed);
+    const FaultTargets targets = targets_of(at, view);
+    if (choice_.fault) {
+        verdict.fault = fault_words(*choice_.fault, targets);
+    }
+    const MarkPicture now = drawn(at, view, targets);
     verdict.failed = true;
     if (now.nan_count > 0 || !all_finite(now.radiance)) {
         verdict.text = fmt::format("{} values are no numbers", std::max<std::uint64_t>(now.nan_count, 1));
@@ -125,7 +106,7 @@ PictureVerdict Checker::picture(const MarkedMoment& at) const {
         verdict.text = "equal to the bit";
         return verdict;
     }
-    const std::string wrong = judged(at, *baseline, now, verdict);
+    const std::string wrong = judged(at, *baseline, view, targets, now, verdict);
     verdict.failed = !wrong.empty();
     if (verdict.failed) {
         verdict.text = wrong + "; " + verdict.text;
@@ -135,15 +116,16 @@ PictureVerdict Checker::picture(const MarkedMoment& at) const {
 }
 
 // What is wrong with a picture that is not equal; empty: nothing. Its text says how far it is.
-std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, const MarkPicture& first,
+std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, MarkView view,
+                            const FaultTargets& targets, const MarkPicture& first,
                             PictureVerdict& verdict) const {
     const std::string name = baseline_file(file_, at.mark.name).string();
     const PictureDifference found = picture_difference(first.shown, baseline.shown, name);
     std::vector<PictureFigures> figures{picture_figures(first.shown, first.radiance)};
     PictureDifference floor;
-    for (MarkView other = baseline.view; figures.size() < static_cast<std::size_t>(kSeeds);) {
-        ++other.seed;
-        const MarkPicture picture = drawn(at, other);
+    while (figures.size() < static_cast<std::size_t>(kSeeds)) {
+        ++view.seed;
+        const MarkPicture picture = drawn(at, view, targets);
         figures.push_back(picture_figures(picture.shown, picture.radiance));
         floor.widen(picture_difference(picture.shown, first.shown, name));
     }
@@ -160,12 +142,12 @@ std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, co
     return beyond.empty() ? "" : beyond + " beyond the noise";
 }
 
-LightError Checker::error(const MarkedMoment& at, const MarkView& view,
+LightError Checker::error(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets,
                           const workbench::ReferencePair& truth) const {
     return light_error(artist_.indirect(at, view,
                                         [&](App& app) {
                                             if (choice_.fault) {
-                                                make_fault(*choice_.fault, app);
+                                                make_fault(*choice_.fault, targets, app);
                                             }
                                         }),
                        truth);
@@ -180,13 +162,17 @@ PictureVerdict Checker::light(const MarkedMoment& at, PictureVerdict verdict) co
     }
     MarkView view = baseline->view;
     view.size = kLightSize;
+    view.seed = choice_.seed.value_or(view.seed);
+    const FaultTargets targets = targets_of(at, view);
+    if (choice_.fault) {
+        verdict.fault = fault_words(*choice_.fault, targets);
+    }
     const workbench::ReferencePair truth = artist_.truth(at, view, kLightSpp);
     std::vector<LightError> now;
     LightComparison comparison;
     const std::size_t most = std::min<std::size_t>(baseline->errors.size(), kMostSeeds);
     while (now.size() < most) {
-        now.push_back(error(at, view, truth));
-        tell();
+        now.push_back(error(at, view, targets, truth));
         ++view.seed;
         if (now.size() < kLeastSeeds) {
             continue;
@@ -230,17 +216,33 @@ Check check_of(const std::string& name, const std::vector<PictureVerdict>& pictu
 
 }  // namespace
 
+std::vector<replay::Mark> chosen_marks(const std::string& file, const replay::Recording& recording,
+                                       const std::vector<std::string>& names) {
+    std::vector<replay::Mark> marks = recording.annotations.marks;
+    for (const std::string& name : names) {
+        if (std::ranges::find(marks, name, &replay::Mark::name) == marks.end()) {
+            throw InputError(file, "mark", fmt::format("found none called '{}'", name));
+        }
+    }
+    std::erase_if(marks, [&](const replay::Mark& mark) {
+        return !names.empty() && std::ranges::find(names, mark.name) == names.end();
+    });
+    std::ranges::stable_sort(marks, {}, &replay::Mark::step);
+    return marks;
+}
+
 PictureResults check_pictures(const std::shared_ptr<const LevelFile>& level, const std::string& file,
                               const std::shared_ptr<const replay::Recording>& recording,
                               const PictureChoice& choice, int threads) {
-    PictureResults results;
+    std::vector<PictureVerdict> pictures;
     if (!choice.pictures && !choice.light) {
-        return results;
+        return {};
     }
     if (!recording->annotations.marks.empty()) {
-        const MarkArtist artist(level, file, recording);
+        const MarkArtist artist(level, file, recording, choice.drawn);
         const Checker checker(artist, file, choice);
-        for (const MarkedMoment& at : chosen(*level, file, recording, choice.marks, threads)) {
+        for (const MarkedMoment& at :
+             marked_moments(*level, file, recording, chosen_marks(file, *recording, choice.marks), threads)) {
             PictureVerdict verdict{.mark = at.mark.name, .step = at.mark.step};
             if (choice.pictures) {
                 verdict = checker.picture(at);
@@ -248,9 +250,14 @@ PictureResults check_pictures(const std::shared_ptr<const LevelFile>& level, con
             if (choice.light) {
                 verdict = checker.light(at, std::move(verdict));
             }
-            results.pictures.push_back(std::move(verdict));
+            pictures.push_back(std::move(verdict));
         }
     }
+    return results_of(std::move(pictures), choice);
+}
+
+PictureResults results_of(std::vector<PictureVerdict> pictures, const PictureChoice& choice) {
+    PictureResults results{{}, std::move(pictures)};
     if (choice.pictures) {
         results.checks.push_back(
             check_of("pictures", results.pictures, &PictureVerdict::failed, &PictureVerdict::text));
@@ -265,9 +272,10 @@ PictureResults check_pictures(const std::shared_ptr<const LevelFile>& level, con
 void make_baselines(const std::shared_ptr<const LevelFile>& level, const std::string& file,
                     const std::shared_ptr<const replay::Recording>& recording,
                     const std::vector<std::string>& marks, const MarkView& view, const std::string& reason,
-                    const std::string& day) {
+                    const std::string& day, bool with_light) {
     const MarkArtist artist(level, file, recording);
-    for (const MarkedMoment& at : chosen(*level, file, recording, marks, 1)) {
+    for (const MarkedMoment& at :
+         marked_moments(*level, file, recording, chosen_marks(file, *recording, marks))) {
         Baseline baseline{view, {}, {}, {}, build_words(), reason, day};
         for (MarkView one = view; baseline.figures.size() < static_cast<std::size_t>(kSeeds); ++one.seed) {
             const MarkPicture picture = artist.draw(at, one);
@@ -282,8 +290,8 @@ void make_baselines(const std::shared_ptr<const LevelFile>& level, const std::st
         }
         MarkView small = view;
         small.size = kLightSize;
-        const workbench::ReferencePair truth = artist.truth(at, small, kLightSpp);
-        for (int i = 0; i < kMostSeeds; ++i, ++small.seed) {
+        const auto truth = with_light ? artist.truth(at, small, kLightSpp) : workbench::ReferencePair();
+        for (int i = 0; with_light && i < kMostSeeds; ++i, ++small.seed) {
             baseline.errors.push_back(light_error(artist.indirect(at, small), truth));
         }
         write_baseline(file, at.mark.name, baseline);

@@ -17,8 +17,9 @@ struct PictureChoice {
     bool light = false;
     std::string out;                         // folder for what differs; empty: nothing is written
     std::optional<PictureFault> fault = {};  // to be found
+    std::optional<int> seed = {};            // the first of those drawn with; none: the baseline's
     std::vector<std::string> marks = {};     // names of those to look at; empty: all
-    std::function<void()> drawn = {};        // after every picture
+    std::function<void()> drawn = {};        // after every frame
 };
 
 // Checks "pictures" and "light", in this order, as far as they are chosen. A picture that is equal to the
@@ -34,12 +35,18 @@ struct PictureResults {
 PictureResults check_pictures(const std::shared_ptr<const LevelFile>& level, const std::string& file,
                               const std::shared_ptr<const replay::Recording>& recording,
                               const PictureChoice& choice, int threads);
+// The same of marks that have been looked at.
+PictureResults results_of(std::vector<PictureVerdict> pictures, const PictureChoice& choice);
+
+// The marks of those names (all where it is empty), by step. Throws InputError for a name that none has.
+std::vector<replay::Mark> chosen_marks(const std::string& file, const replay::Recording& recording,
+                                       const std::vector<std::string>& names);
 
 // Makes baselines of the marks of those names (all where it is empty), as `view` draws them, with the errors
-// of light. Throws as check_pictures(), and InputError for a name that no mark has.
+// of light if `with_light`. Throws as check_pictures(), and InputError for a name that no mark has.
 void make_baselines(const std::shared_ptr<const LevelFile>& level, const std::string& file,
                     const std::shared_ptr<const replay::Recording>& recording,
                     const std::vector<std::string>& marks, const MarkView& view, const std::string& reason,
-                    const std::string& day);
+                    const std::string& day, bool with_light = true);
 
 }  // namespace lanthorn::tools

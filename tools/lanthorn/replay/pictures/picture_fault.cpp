@@ -4,32 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/render/render_settings.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/hierarchy.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
-constexpr float kBrighter = 1.01f;
+constexpr float kBrighter = 1.01f, kTenth = 1.1f;
 constexpr double kHigher = 0.1;  // metres
-
-ecs::Entity brightest_lamp(const ecs::World& world) {
-    ecs::Entity brightest = ecs::kNullEntity;
-    float most = 0;
-    world.query<ecs::Read<LightComponent>>().each([&](ecs::Entity e, const LightComponent& c) {
-        const vec3 flux = c.light.colour * c.light.intensity;
-        if (flux.x + flux.y + flux.z > most) {
-            most = flux.x + flux.y + flux.z;
-            brightest = e;
-        }
-    });
-    return brightest;
-}
 
 void halve(ImageF& image) {
     const ImageF before = image;
@@ -42,43 +30,7 @@ void halve(ImageF& image) {
     }
 }
 
-}  // namespace
-
-PictureFault parse_picture_fault(std::string_view text) {
-    const auto* const found = std::ranges::find(kPictureFaults, text);
-    if (found == std::end(kPictureFaults)) {
-        throw InputError(fmt::format("--picture-fault: found '{}', expected one of {}", text,
-                                     fmt::join(kPictureFaults, ", ")));
-    }
-    return static_cast<PictureFault>(found - std::begin(kPictureFaults));
-}
-
-bool make_fault(PictureFault fault, App& app) {
-    ecs::World& world = app.world();
-    if (fault == PictureFault::indirect) {
-        world.resource_mut<gi::GiSettings>().technique = gi::TechniqueKind::none;
-        return true;
-    }
-    if (fault != PictureFault::lamp && fault != PictureFault::off && fault != PictureFault::moved) {
-        return true;  // of the picture
-    }
-    const ecs::Entity lamp = brightest_lamp(world);
-    if (lamp == ecs::kNullEntity) {
-        return false;
-    }
-    if (fault == PictureFault::moved) {
-        LocalTransform* const place = world.try_get_mut<LocalTransform>(lamp);
-        if (place == nullptr) {
-            return false;
-        }
-        place->value.translation.y += kHigher;
-        return true;
-    }
-    world.get_mut<LightComponent>(lamp).light.intensity *= fault == PictureFault::off ? 0 : kBrighter;
-    return true;
-}
-
-void make_fault(PictureFault fault, MarkPicture& picture) {
+void of_picture(PictureFault fault, MarkPicture& picture) {
     switch (fault) {
         case PictureFault::nan:
             picture.radiance.pixels[picture.radiance.pixels.size() / 2] =
@@ -95,6 +47,95 @@ void make_fault(PictureFault fault, MarkPicture& picture) {
         default:
             break;
     }
+}
+
+MarkPicture without_shadow(const MarkArtist& artist, const MarkedMoment& at, const MarkView& view,
+                           ecs::Entity mover) {
+    MarkPicture picture = artist.draw(at, view);
+    const MarkPicture other = artist.draw(at, view, [&](App& app) {
+        hide(app.world(), mover);
+        auto& settings = app.world().resource_mut<render::RenderSettings>();
+        settings.exposure_mode = render::ExposureMode::manual;
+        settings.exposure_compensation = 0;
+        settings.exposure_ev100 = -std::log2(1.2f * picture.exposure);
+    });
+    const ImageF depth = picture.depth;
+    for (int y = 0; y < depth.height; ++y) {
+        for (int x = 0; x < depth.width; ++x) {
+            for (int c = 0; c < 3 && !sees_other(depth, other.depth, x, y); ++c) {
+                picture.shown.at(x, y, c) = other.shown.at(x, y, c);
+                picture.radiance.at(x, y, c) = other.radiance.at(x, y, c);
+            }
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+PictureFault parse_picture_fault(std::string_view text) {
+    const auto* const found = std::ranges::find(kPictureFaults, text);
+    if (found == std::end(kPictureFaults)) {
+        throw InputError(fmt::format("--picture-fault: found '{}', expected one of {}", text,
+                                     fmt::join(kPictureFaults, ", ")));
+    }
+    return static_cast<PictureFault>(found - std::begin(kPictureFaults));
+}
+
+std::string fault_words(PictureFault fault, const FaultTargets& targets) {
+    const auto of = [](const std::string& name, const char* what) {
+        return name.empty() ? "" : name + " " + what;
+    };
+    switch (fault) {
+        case PictureFault::lamp:
+            return of(targets.lamp_name, "is 1 % brighter");
+        case PictureFault::off:
+            return of(targets.lamp_name, "is off");
+        case PictureFault::moved:
+            return of(targets.lamp_name, "is 10 cm higher");
+        case PictureFault::shadow:
+            return of(targets.mover_name, "casts no shadow");
+        case PictureFault::indirect:
+            return "no indirect light";
+        case PictureFault::nan:
+            return "one pixel is no number";
+        case PictureFault::half:
+            return "half the resolution";
+        case PictureFault::black:
+            return "nothing is drawn";
+        case PictureFault::tenth:
+            break;
+    }
+    return of(targets.lamp_name, "and all other lamps are 10 % brighter");
+}
+
+void make_fault(PictureFault fault, const FaultTargets& targets, App& app) {
+    ecs::World& world = app.world();
+    const auto lamp = [&]() -> Light& { return world.get_mut<LightComponent>(targets.lamp).light; };
+    if (fault == PictureFault::indirect) {
+        world.resource_mut<gi::GiSettings>().technique = gi::TechniqueKind::none;
+    } else if (fault == PictureFault::tenth) {
+        world.query<ecs::Write<LightComponent>>().each(
+            [](LightComponent& one) { one.light.intensity *= kTenth; });
+    } else if (targets.lamp == ecs::kNullEntity) {
+        return;
+    } else if (fault == PictureFault::moved) {
+        world.get_mut<LocalTransform>(targets.lamp).value.translation.y += kHigher;
+    } else if (fault == PictureFault::lamp) {
+        lamp().intensity *= kBrighter;
+    } else if (fault == PictureFault::off) {
+        lamp().intensity = 0;
+    }
+}
+
+MarkPicture draw_with_fault(const MarkArtist& artist, const MarkedMoment& at, const MarkView& view,
+                            PictureFault fault, const FaultTargets& targets) {
+    if (fault == PictureFault::shadow && targets.mover != ecs::kNullEntity) {
+        return without_shadow(artist, at, view, targets.mover);
+    }
+    MarkPicture picture = artist.draw(at, view, [&](App& app) { make_fault(fault, targets, app); });
+    of_picture(fault, picture);
+    return picture;
 }
 
 }  // namespace lanthorn::tools
