@@ -41,6 +41,20 @@ TEST_F(Script, OfTheGuideHolds) {
     EXPECT_NE(outcome.out.find("= game"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Script, OfTheWishesHolds) {
+    const Outcome outcome = testing_tools::run_program(
+        LANTHORN_BINARY, {"edit", "--script", support::repository_file("docs/editor/wishes.edits")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("/study: asked 60 lx, has "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("3 of 3 wishes met"), std::string::npos) << outcome.out;
+    const Outcome wrong = run("new-room\nwish 1,2 60\n");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(told(wrong),
+              "lanthorn: a.edits:2: wish: found 2 numbers in '1,2', expected a path, X,Y,Z in metres, or "
+              "X,Y,Z,NX,NY,NZ\n");
+    EXPECT_EQ(run("new-room\nwish 0,0,0 60\nexpect wishes met\n").code, 1);
+}
+
 TEST_F(Script, ABadLineIsNamedAndEndsWith2) {
     const Outcome wrong = run("new-room\n\nmove /room/lamp 1 2\n");
     EXPECT_EQ(wrong.code, 2);
