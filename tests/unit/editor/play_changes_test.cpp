@@ -44,8 +44,8 @@ class PlayChanges : public testing::Test {
         for (const std::uint32_t at : session.model().in_order()) {
             for (int column = 0; column < 4; ++column) {
                 for (int row = 0; row < 4; ++row) {
-                    EXPECT_NEAR(session.model().world_matrix(at)[column][row], after[at].to_world[column][row],
-                                1e-5)
+                    EXPECT_NEAR(session.model().world_matrix(at)[column][row],
+                                after[at].to_world[column][row], 1e-5)
                         << session.path_of(at);
                 }
             }

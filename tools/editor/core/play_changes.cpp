@@ -117,7 +117,7 @@ std::vector<PlayChange> play_changes(const EditModel& model,
             players.push_back(node);
         }
         const bool left_out =
-            std::ranges::find(animated, node) != animated.end() ||
+            model.node(node).camera != kNone || std::ranges::find(animated, node) != animated.end() ||
             std::ranges::any_of(players, [&](std::uint32_t player) { return model.is_within(node, player); });
         const std::optional<dmat4> first = local_in(before, model, node), last = local_in(after, model, node);
         if (left_out || !first || !last) {

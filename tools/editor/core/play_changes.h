@@ -28,9 +28,9 @@ struct PlayChange {
 };
 
 // From a world as it began to be played to what it was at the end, as a model's nodes would say it. Left out:
-// the player with all that is below it, `animated` nodes of the document, which come and go by themselves,
-// and what has moved by less than kLeastMetres and kLeastDegrees. Fields of components are none of it: what
-// the simulation writes of those is in no file.
+// the player with all that is below it, cameras, `animated` nodes of the document, which come and go by
+// themselves, and what has moved by less than kLeastMetres and kLeastDegrees. Fields of components are none
+// of it: what the simulation writes of those is in no file.
 std::vector<PlayChange> play_changes(const EditModel& model,
                                      const std::map<std::uint32_t, PlayedNode>& before,
                                      const std::map<std::uint32_t, PlayedNode>& after,
