@@ -90,6 +90,7 @@ std::vector<double> traced_intensities(const std::vector<WishLamp>& lamps) {
         bright += lamp.intensity > 0 ? 1 : 0;
     }
     std::vector<double> result;
+    result.reserve(lamps.size());
     for (const WishLamp& lamp : lamps) {
         result.push_back(lamp.intensity > 0 ? lamp.intensity : bright > 0 ? sum / bright : 100);
     }
@@ -308,6 +309,7 @@ WishSolution solve_wishes(const WishTask& task, const WishEffort& effort) {
     }
     const LightSplitter splitter(frame, task.settings);
     std::vector<Given> lights;
+    lights.reserve(task.wishes.size());
     for (const PlacedWish& wish : task.wishes) {
         lights.push_back(light_at(wish, splitter, lamp_of, count, effort));
     }
