@@ -7,8 +7,9 @@
 namespace lanthorn::gpu {
 
 // As long as it lives, `call` is called whenever a pass that this thread draws has ended (PassTimer::Scope,
-// timed or not), in the middle of the frame. It may draw into other framebuffers, and must leave OpenGL's
-// state as it finds it; it must not alter what the frame is made from, and must not throw. One at a time.
+// timed or not), or a part of a long one, in the middle of the frame. It may draw into other framebuffers,
+// and must leave OpenGL's state as it finds it; it must not alter what the frame is made from, and must not
+// throw. One at a time.
 class PassEnd {
   public:
     explicit PassEnd(std::function<void()> call);
@@ -16,7 +17,7 @@ class PassEnd {
     PassEnd(const PassEnd&) = delete;
     PassEnd& operator=(const PassEnd&) = delete;
 
-    // A pass of this thread has ended.
+    // A pass of this thread has ended, or a part of a long one.
     static void tell();
 
   private:

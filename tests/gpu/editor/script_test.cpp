@@ -41,6 +41,48 @@ TEST_F(Script, OfTheGuideHolds) {
     EXPECT_NE(outcome.out.find("= game"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Script, OfTheWishesHolds) {
+    const Outcome outcome = testing_tools::run_program(
+        LANTHORN_BINARY, {"edit", "--script", support::repository_file("docs/editor/wishes.edits")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("/study: asked 60 lx, has "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("3 of 3 wishes met"), std::string::npos) << outcome.out;
+    const Outcome wrong = run("new-room\nwish 1,2 60\n");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(told(wrong),
+              "lanthorn: a.edits:2: wish: found 2 numbers in '1,2', expected a path, X,Y,Z in metres, or "
+              "X,Y,Z,NX,NY,NZ\n");
+    EXPECT_EQ(run("new-room\nwish 0,0,0 60\nexpect wishes met\n").code, 1);
+}
+
+// A level as a recorded session leaves it: one step, seen by the player's eyes.
+TEST_F(Script, BeginsInTheStateOfARecording) {
+    const std::string level = support::repository_file("assets/levels/shutter.glb");
+    const std::string recording = support::repository_file("tests/replay/shutter.rec");
+    const Outcome outcome =
+        run("expect steps 1\nexpect dirty\nprint history\nprint render-line\nundo\nexpect clean\n",
+            {level, "--at", recording + ":300"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("as after step 300 of shutter.rec"), std::string::npos) << outcome.out;
+    const Outcome begin = run("expect steps 0\nprint render-line\n", {level, "--at", recording + ":0"});
+    EXPECT_EQ(begin.code, 0) << begin.err;
+    const auto pose = [](const Outcome& of) {
+        const std::size_t at = of.out.find("--pose=");
+        return of.out.substr(at, of.out.find(' ', at) - at);
+    };
+    EXPECT_NE(pose(begin), pose(outcome));
+    for (const std::string& at : {recording + ":99999999", recording, recording + ":x", level + ":3"}) {
+        const Outcome wrong = run("expect steps 0\n", {level, "--at", at});
+        EXPECT_EQ(wrong.code, 2) << at;
+        EXPECT_EQ(wrong.error_lines(), 1) << wrong.err;
+    }
+    EXPECT_EQ(run("new-room\n", {"--at", recording + ":3"}).code, 2);
+    EXPECT_EQ(run("expect steps 0\n",
+                  {support::repository_file("assets/levels/red-wall.glb"), "--at", recording + ":3"})
+                  .code,
+              2);
+}
+
 TEST_F(Script, ABadLineIsNamedAndEndsWith2) {
     const Outcome wrong = run("new-room\n\nmove /room/lamp 1 2\n");
     EXPECT_EQ(wrong.code, 2);

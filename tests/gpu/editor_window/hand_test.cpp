@@ -1,6 +1,7 @@
 // The editor as a person uses it: a mouse and a keyboard that xdotool moves, on an X server of its own.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,19 +27,32 @@ constexpr const char* kLamp = "/lantern/lantern-light";
 
 class Hand : public testing::Test {
   protected:
-    Hand() {
+    Hand() : Hand(false) {}
+    explicit Hand(bool refines) {
         file_ = folder_.path("level.glb");
         fs::copy_file(support::repository_file("assets/levels/shutter.glb"), file_);
         EditorOptions options;
         options.scene = file_;
         options.size = {800, 450};
         options.preset = "low";
+        options.refine = refines;
         options.session.view.declare = game::declare_components;
         options.session.recovery = folder_.path("recovery");
         // A game that looks at its level and ends.
         options.play = [](const editor::EditSession& session, const Settings&, const fs::path& level, ivec2) {
             session.document().write(level);
             return std::vector<std::string>{"/bin/sh", "-c", "grep -q lantern-light \"$0\"", level.string()};
+        };
+        // There the lamp has gone up by a metre.
+        editor::EditSession scene({options.session.view, {}});
+        scene.open(file_);
+        const std::uint32_t lamp = scene.node_at(kLamp);
+        PlayedScene played;
+        played.before[lamp].to_world = played.after[lamp].to_world = scene.model().world_matrix(lamp);
+        played.after[lamp].to_world[3].y += 1;
+        options.played = [played](const fs::path& level) {
+            EXPECT_TRUE(fs::exists(level / "level.glb"));
+            return played;
         };
         window_ = std::make_unique<EditorWindow>(std::move(options));
     }
@@ -62,6 +76,21 @@ class Hand : public testing::Test {
     }
     static void hand(const std::string& commands) {
         ASSERT_EQ(std::system(("timeout 60 xdotool " + commands + " >/dev/null").c_str()), 0) << commands;
+    }
+    // Clicks from left to right, so many units below the drawer's upper edge, until that holds.
+    bool click_along(float below, const std::function<bool()>& holds) {
+        const Box box = state().layout.drawer;
+        for (float x = box.x + 8; x < box.x + box.width; x += 22) {
+            hand("mousemove " + at({x, state().layout.drawer.y + below}) + " click 1");
+            for (int turns = 0; turns < 6; ++turns) {
+                window_->wake();
+                window_->turn();
+                if (holds()) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
     const EditorState& state() const { return window_->state(); }
     std::size_t steps() const { return state().session.steps().position(); }
@@ -241,7 +270,74 @@ TEST_F(Hand, ComparesWithAPictureThatWasKeptAndPlaysFromHere) {
     ASSERT_TRUE(comes([&] { return state().toast.find("back from playing") != std::string::npos; }))
         << state().toast << state().problem;
     EXPECT_FALSE(state().playing);
+    // What was changed there is offered, and not taken.
+    ASSERT_TRUE(comes([&] { return state().played.size() == 1; }));
     EXPECT_FALSE(state().dirty);
+    EXPECT_EQ(steps(), 0u);
+    EXPECT_EQ(state().played.front().change.title, "lantern-light: 1 m away");
+    const double low = height();
+    ASSERT_TRUE(
+        click_along(11, [&] { return state().splits.drawer_open && state().drawer_tab == kPlayedTab; }));
+    ASSERT_TRUE(click_along(55, [&] { return state().played.front().keep; }));
+    ASSERT_TRUE(click_along(33, [&] { return steps() == 1; }));
+    EXPECT_NEAR(height(), low + 1, 1e-6);
+    EXPECT_TRUE(state().played.empty());
+    hand("key ctrl+z");
+    ASSERT_TRUE(comes([&] { return steps() == 0; }));
+    EXPECT_EQ(height(), low);
+}
+
+// Lux for a place of the wall, by a drag in the picture; solved as one step.
+TEST_F(Hand, WishesForLightAndSolvesThat) {
+    ASSERT_TRUE(rests());
+    ASSERT_TRUE(
+        click_along(11, [&] { return state().splits.drawer_open && state().drawer_tab == kWishesTab; }));
+    ASSERT_TRUE(click_along(33, [&] { return state().wishes.placing; }));
+    ASSERT_TRUE(rests());
+    const Box& box = state().layout.picture;
+    const vec2 place(box.x + 0.5f * box.width, box.y + 0.6f * box.height);
+    hand("mousemove " + at(place) + " mousedown 1 mousemove " + at(place + vec2(10, 0)) + " mousemove " +
+         at(place + vec2(20, 0)) + " mouseup 1");
+    ASSERT_TRUE(comes([&] { return state().wishes.rows.size() == 1 && state().wishes.rows[0].found; }));
+    const WishRow row = state().wishes.rows.front();
+    EXPECT_GT(row.wish.radius, 0.02);
+    EXPECT_GT(row.found->places, 0);
+    EXPECT_EQ(steps(), 0u);
+    EXPECT_TRUE(state().chosen.empty());  // the drag chose nothing
+    hand("key Escape");
+    ASSERT_TRUE(comes([&] { return !state().wishes.placing; }));
+    ASSERT_TRUE(click_along(33, [&] { return state().wishes.solve || steps() == 1; }));
+    ASSERT_TRUE(comes([&] { return steps() == 1; })) << state().problem;
+    EXPECT_NE(state().toast.find("1 of 1 wishes met"), std::string::npos) << state().toast;
+    ASSERT_TRUE(comes([&] { return !state().wishes.old(state().session.version()); }));
+    const editor::WishOutcome& now = *state().wishes.rows[0].found;  // traced once more
+    EXPECT_NEAR(now.before, 100, 4 * std::hypot(row.found->noise * 100 / row.found->before, now.noise));
+    hand("key ctrl+z");
+    ASSERT_TRUE(comes([&] { return steps() == 0; }));
+}
+
+class PatientHand : public Hand {
+  protected:
+    PatientHand() : Hand(true) {}
+};
+
+// What is still is drawn on; a click is answered all the same, and a hand that moves something ends it.
+TEST_F(PatientHand, SeesAStillPictureRefined) {
+    ASSERT_TRUE(comes([&] { return state().refinement.begun(); }));
+    EXPECT_EQ(state().picture.facts().quality, Quality::still);
+    EXPECT_EQ(state().refinement.words().substr(0, 22), "refining: error about ");
+    const int frames = state().picture.frames();
+    ASSERT_TRUE(comes([&] { return state().picture.frames() > frames + 3; }));
+    hand("mousemove " + at(lamp()) + " click 1");
+    ASSERT_TRUE(comes([&] { return state().chosen.size() == 1; }));
+    EXPECT_TRUE(state().refinement.begun());
+    const vec2 arrow = lamp() - vec2(2, 55);
+    hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) + " mousemove " +
+         at(arrow - vec2(0, 24)));
+    ASSERT_TRUE(comes([&] { return state().picture.facts().quality == Quality::drag; }));
+    EXPECT_EQ(state().refinement.words(), "");
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return state().refinement.begun(); }));
 }
 
 TEST(EditorWithoutADisplay, SaysSoInOneLineAndEndsWith3) {

@@ -155,6 +155,8 @@ void EditScript::run_line(const std::string& line) {
         compare_with_game(words);
     } else if (verb == "print") {
         print(words);
+    } else if (run_wishes(words)) {
+        return;
     } else if (session_.in_gesture()) {
         std::vector<std::string> lines = gathered_;
         lines.push_back(line);
@@ -211,6 +213,9 @@ void EditScript::expect(const std::vector<std::string>& words) {
             fail_check(fmt::format("{} warning '{}', expected {}", is_found ? "found the" : "found no",
                                    words[2], is_found ? "none" : "one"));
         }
+    } else if (what == "wishes") {
+        need(3, "wishes met|missed");
+        expect_wishes(words[2]);
     } else if (what == "selection") {
         std::vector<std::string> selected;
         for (const std::uint32_t node : session_.selection()) {
@@ -233,7 +238,7 @@ void EditScript::expect(const std::vector<std::string>& words) {
     } else {
         throw InputError(
             fmt::format("expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
-                        "steps, nodes, left, gone, warning, no-warning or selection",
+                        "steps, nodes, left, gone, warning, no-warning, wishes or selection",
                         what));
     }
 }
@@ -333,7 +338,7 @@ void EditScript::print(const std::vector<std::string>& words) {
     expect_words(words, 2, 4,
                  "print changes|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|render-line "
                  "[WIDTHxHEIGHT "
-                 "[FRAMES]]|warnings|why X,Y [WIDTHxHEIGHT]");
+                 "[FRAMES]]|warnings|why X,Y [WIDTHxHEIGHT]|wishes");
     const std::string& what = words[1];
     if (what == "changes") {
         const TextChanges changes = session_.changes();
@@ -376,10 +381,15 @@ void EditScript::print(const std::vector<std::string>& words) {
         print_why(words);
     } else if (what == "error") {
         print_error(words);
+    } else if (what == "wishes") {
+        const WishSolution found = solution();
+        for (const WishOutcome& outcome : found.outcomes) {
+            print_(outcome_words(outcome));
+        }
     } else {
         throw InputError(
             fmt::format("print: found '{}', expected changes, error, hash, history, lights, left, nodes, "
-                        "render-line, warnings or why",
+                        "render-line, warnings, why or wishes",
                         what));
     }
 }

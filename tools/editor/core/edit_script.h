@@ -11,6 +11,7 @@
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gpu/context.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/core/light_wishes.h"
 #include "tools/editor/core/why_light.h"
 
 namespace lanthorn::editor {
@@ -24,7 +25,8 @@ namespace lanthorn::editor {
 //   expect hash HEX   expect changes TEXT   expect dirty   expect clean   expect steps N   expect nodes N
 //   expect warning KIND   expect no-warning KIND   expect selection PATH...
 //   picture FILE [WIDTHxHEIGHT [FRAMES]]   same-as-game [WIDTHxHEIGHT [FRAMES]]
-//   print changes|hash|history|lights|left|nodes|warnings   print render-line [WIDTHxHEIGHT [FRAMES]]
+//   wish WHERE LUX [RADIUS]   keep PATH...   solve   forget-wishes   expect wishes met|missed
+//   print changes|hash|history|lights|left|nodes|warnings|wishes   print render-line [WIDTHxHEIGHT [FRAMES]]
 //
 // Files are found from the working directory. # begins a comment.
 class EditScript {
@@ -53,6 +55,10 @@ class EditScript {
     void print_why(const std::vector<std::string>& words);
     void review(const std::vector<std::string>& words);
     void print_error(const std::vector<std::string>& words);
+    // edit_script_wishes.cpp
+    bool run_wishes(const std::vector<std::string>& words);  // false: the line is about something else
+    WishSolution solution();
+    void expect_wishes(const std::string& wanted);
 
     std::unique_ptr<gpu::Context> context_;  // before what draws in it
     EditSession session_;
@@ -60,6 +66,8 @@ class EditScript {
     std::function<void(const std::string&)> print_;
     std::vector<std::string> gathered_;  // of begin
     WhyLight why_;
+    std::vector<LightWish> wishes_;
+    std::vector<std::string> kept_;  // paths of lamps that `solve` leaves alone
 };
 
 // XXH3 of the document's JSON, as expect hash takes it.

@@ -126,6 +126,9 @@ void view_menu(EditorState& state) {
     item("Keep this picture beside (A|B)", Act::compare, state);
     item("Copy the command that renders this", Act::copy_render_line, state);
     item("Hold the exposure", Act::lock_exposure, state);
+    if (ImGui::MenuItem("Refine what is still", nullptr, &state.refines)) {
+        state.settings_changed = true;
+    }
     item("Icons and handles", Act::helpers, state);
     item("Look at what is chosen", Act::frame_selection, state);
     item("Look at everything", Act::frame_all, state);

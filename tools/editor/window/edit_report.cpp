@@ -49,6 +49,7 @@ void EditReport::line(const EditorState& state) {
     line["ui"] = state.figures.ui_frames;
     line["frames"] = state.picture.frames();
     line["quality"] = name_of(state.pace.due() ? facts.quality : Quality::still);
+    line["refinement"] = state.refinement.words();
     line["technique"] = facts.technique;
     line["preset"] = facts.preset;
     line["view"] = facts.view;
@@ -73,6 +74,18 @@ void EditReport::line(const EditorState& state) {
     const Box& box = state.layout.picture;
     line["box"] = {box.x, box.y, box.width, box.height};
     line["playing"] = state.playing;
+    line["played"] = state.played.size();
+    if (!state.wishes.rows.empty()) {
+        Json wishes = Json::array();
+        for (const WishRow& row : state.wishes.rows) {
+            const bool known = row.found && !state.wishes.old(state.session.version());
+            wishes.push_back({{"asked", asked_words(row.wish)},
+                              {"radius", row.wish.radius},
+                              {"has", known ? Json(row.found->before) : Json()},
+                              {"met", known && row.found->met_with(row.found->before)}});
+        }
+        line["wishes"] = wishes;
+    }
     if (state.error && state.error_of_frame == state.picture.frames()) {
         line["error"] = {state.error->local, state.error->uncertainty};
     }

@@ -25,10 +25,13 @@
 #include "tools/editor/window/layout.h"
 #include "tools/editor/window/pace.h"
 #include "tools/editor/window/picture.h"
+#include "tools/editor/window/played_shown.h"
+#include "tools/editor/window/refinement.h"
 #include "tools/editor/window/rest_watch.h"
 #include "tools/editor/window/style.h"
 #include "tools/editor/window/value_field.h"
 #include "tools/editor/window/why_shown.h"
+#include "tools/editor/window/wishes_shown.h"
 
 namespace lanthorn::edit_window {
 
@@ -36,7 +39,7 @@ namespace lanthorn::edit_window {
 enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
 
 // What the drawer below the picture shows.
-enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kSettingsTab };
+enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kWishesTab, kSettingsTab, kPlayedTab };
 
 // A picture that is kept to be compared with.
 struct KeptPicture {
@@ -67,6 +70,8 @@ struct EditorState {
     CommandDesk desk;
     Picture picture;
     Pace pace;
+    Refinement refinement;  // of a picture that is still
+    bool refines = true;    // it is wanted
     Figures figures;
 
     // How it is drawn: preview only.
@@ -104,6 +109,7 @@ struct EditorState {
     workbench::CameraPose game_pose;
     Box game_button;  // where the badge asks for it
     std::optional<WhyShown> why;
+    WishesShown wishes;
     // How wrong the indirect light is: of the picture after so many frames.
     std::optional<gi::EstimatedError> estimate;  // local error of a picture that is not measured yet
     std::optional<editor::ErrorMap> error;
@@ -143,6 +149,7 @@ struct EditorState {
     std::string open_folder, save_name;          // of the sheets
     std::optional<editor::TextChanges> changes;  // of the save sheet
     bool playing = false;                        // the game runs beside
+    std::vector<PlayedRow> played;               // changed there, and offered
     bool close = false;
     bool opened = false;           // another scene is shown than before
     bool dirty = false;            // as EditSession::is_dirty(), which costs the file's text

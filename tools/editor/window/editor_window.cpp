@@ -50,6 +50,7 @@ EditorWindow::State::State(EditorOptions given)
            }),
       alarm([this] { window.request_frame(); }),
       rest_watch([this] { window.request_frame(); }),
+      wish_solver([this] { window.request_frame(); }),
       game([this] { window.request_frame(); }),
       costs_alarm([this] { window.request_frame(); }) {}
 
@@ -66,6 +67,7 @@ void EditorWindow::State::begin() {
     }
     editor = std::make_unique<EditorState>(session, settings);
     editor->preset = preset;
+    editor->refines = options.refine;
     editor->splits.drawer_open = !lay_out(options.size, 1, {}).low;
     editor->act = [this](Act what) { act(what); };
     editor->rest_watch = &rest_watch;
@@ -88,6 +90,9 @@ void EditorWindow::State::begin() {
     app.add<PresentPlugin>();
     if (!options.scene.empty()) {
         session.open(options.scene);
+        if (options.opened) {
+            options.opened(session);
+        }
         scene_opened();
         const auto is_ours = [&](const editor::LeftLog& log) { return log.edited == session.path(); };
         if (std::ranges::any_of(editor->left_logs, is_ours)) {
@@ -143,6 +148,8 @@ bool EditorWindow::turn() {
         }
         if (e.pace.due()) {
             s.draw_picture();
+        } else if (s.refines_now()) {
+            s.refine_picture();
         }
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, size.x, size.y);
@@ -150,6 +157,7 @@ bool EditorWindow::turn() {
         s.settling = std::max(0, s.settling - 1);
     }
     s.follow_rest();
+    s.follow_wishes();
     s.follow_play();
     s.report.line(e);
     if (e.close) {
@@ -157,7 +165,8 @@ bool EditorWindow::turn() {
     }
     const bool draws = e.pace.due() && s.session.is_open() && size.x > 0;
     s.set_alarm();
-    s.asleep = !flies && s.settling == 0 && !draws && !e.desk.waiting() && !s.input.dirty() && !e.close;
+    s.asleep = !flies && s.settling == 0 && !draws && !s.refines_now() && !e.desk.waiting() &&
+               !s.input.dirty() && !e.close;
     if (!s.asleep) {
         s.window.request_frame();
     }

@@ -9,6 +9,7 @@
 
 #include "lanthorn/core/settings.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/window/played_shown.h"
 
 namespace lanthorn::edit_window {
 
@@ -17,9 +18,12 @@ struct EditorState;
 struct EditorOptions {
     std::filesystem::path scene = {};  // empty: the start screen
     editor::SessionOptions session = {};
-    ivec2 size{1280, 720};                    // pixels
+    ivec2 size{1280, 720};  // pixels
+    // Called once `scene` has been opened: edits that it begins with. Throws InputError.
+    std::function<void(editor::EditSession&)> opened = {};
     double text_scale = 0;                    // 0.75..2; 0: what the screen asks for
     std::string technique = {}, preset = {};  // empty: the default, and what suits the device
+    bool refine = true;                       // what is still is drawn on (refinement.h)
     std::filesystem::path report = {};        // lines of JSON about what is drawn; empty: none
     std::filesystem::path recent =
         {};  // file that keeps the names of files that were open, beside one of their views; empty: none
@@ -30,6 +34,9 @@ struct EditorOptions {
     std::function<std::vector<std::string>(const editor::EditSession&, const Settings&,
                                            const std::filesystem::path& level, ivec2 size)>
         play = {};
+    // After that has ended: what it was at its beginning and at its end, from the folder of the level. Called
+    // on a thread of its own; throws InputError where that cannot be said. Empty: nothing of it is offered.
+    std::function<PlayedScene(const std::filesystem::path& folder)> played = {};
 };
 
 class EditorWindow {

@@ -124,8 +124,9 @@ void draw_settings(EditorState& state) {
     const auto entry_reads = [&](const std::string& name) {
         const std::string technique = state.settings.text("gi.technique");
         return name.starts_with("render.") || name == "gi.bounces" || name == "gi.photons" ||
-               name == "gi.accumulate" || name.starts_with("gi." + technique + ".") ||
-               name.starts_with("gi.specular") || (technique == "emc" && name.starts_with("gi.gather."));
+               name == "gi.accumulate" || name == "gi.target_error" ||
+               name.starts_with("gi." + technique + ".") || name.starts_with("gi.specular") ||
+               (technique == "emc" && name.starts_with("gi.gather."));
     };
     state.fields.begin(ImGui::GetContentRegionAvail().x * 0.5f, state.unit);
     std::vector<std::pair<std::string, std::string>> changes;

@@ -19,6 +19,11 @@ void draw_warnings(EditorState& state);
 void draw_settings(EditorState& state);
 // Where the light of a point comes from.
 void draw_why(EditorState& state);
+// How bright it shall be where, and what comes nearest to it.
+void draw_wishes(EditorState& state);
+
+// What was changed in play.
+void draw_played(EditorState& state);
 
 void draw_toolbar(EditorState& state);
 void draw_status(EditorState& state, double now);

@@ -9,6 +9,7 @@
 #include "engine/gpu/pass_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/workbench/render/shown_as.h"
@@ -193,7 +194,12 @@ double Picture::draw(App& app, ivec2 size, ivec2 whole, const std::function<void
     const auto begun = clock::now();
     auto breath = begun;
     double longest = 0, elsewhere = 0;
+    const bool finishes = gpu::draws_in_software();
     const auto pass_end = [&] {
+        if (finishes) {
+            // What is drawn waits in a queue till somebody asks for it: an answer behind it would wait, too.
+            glFinish();
+        }
         longest = std::max(longest, ms_since(breath));
         const auto paused = clock::now();
         if (breathe) {

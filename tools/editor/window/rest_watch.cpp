@@ -115,6 +115,7 @@ void RestWatch::run(const std::stop_token& stop) {
         } catch (const std::exception&) {  // a scene that Embree cannot hold: no figure comes of it
             const std::lock_guard lock(mutex_);
             busy_ = busy_ && number != number_;
+            ready_();
         }
     }
 }

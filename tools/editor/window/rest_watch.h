@@ -27,7 +27,8 @@ class RestWatch {
   public:
     static constexpr double kFirstSeconds = 0.6, kLastSeconds = 2.2;  // after which a result is told
 
-    // `ready` is called from the other thread whenever take() has a new result; it must not block.
+    // `ready` is called from the other thread whenever take() has a new result, or none comes; it must not
+    // block.
     explicit RestWatch(std::function<void()> ready);
 
     struct Job {

@@ -60,6 +60,10 @@ void Viewport::press(const Happening& h) {
         divides_ = true;
         return;
     }
+    if (state_.wishes.placing) {
+        begin_wish(h.at);
+        return;
+    }
     pressed_ = true;
     press_adds_ = (h.modifiers & GLFW_MOD_CONTROL) != 0;
     const Part part = state_.tool == Tool::select ? Part::none : handles_.hit(h.at);
@@ -77,6 +81,12 @@ void Viewport::move(const Happening& h) {
     }
     if (divides_) {
         move_divider(h.at);
+        return;
+    }
+    if (makes_wish_) {
+        if (moved_) {
+            widen_wish(h.at);
+        }
         return;
     }
     if (navigating_ != Navigating::none) {
@@ -100,6 +110,10 @@ void Viewport::move(const Happening& h) {
 
 void Viewport::release(const Happening& h) {
     divides_ = false;
+    if (makes_wish_) {
+        end_wish();
+        return;
+    }
     if (navigating_ != Navigating::none) {
         navigating_ = Navigating::none;
         state_.pace.hold(false, h.time);
@@ -127,7 +141,7 @@ void Viewport::release(const Happening& h) {
 
 bool Viewport::take(const Happening& h, bool over) {
     using Kind = Happening::Kind;
-    const bool busy = gesture() || pressed_ || divides_;
+    const bool busy = gesture() || pressed_ || divides_ || makes_wish_;
     switch (h.kind) {
         case Kind::press:
             if (!over && !busy) {

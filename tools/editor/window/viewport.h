@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/runtime/picking.h"
 #include "tools/editor/window/editor_state.h"
 #include "tools/editor/window/input_queue.h"
 
@@ -38,6 +39,8 @@ class Viewport {
     void frame(const std::vector<std::uint32_t>& nodes, double now);
     bool gesture() const { return handles_.held() || navigating_ != Navigating::none; }
     void cancel();
+    // A wish that a hand is making goes, too.
+    void drop_wish();
     const Projector& eye() const { return eye_; }
     // Where the pointer is in the picture, 0..1 from the upper left; nothing where it is elsewhere.
     std::optional<vec2> pointed_place() const;
@@ -89,6 +92,12 @@ class Viewport {
     void draw_scale_bar();
     void draw_lux();
     void draw_why_ways();
+    // viewport_wishes.cpp
+    std::optional<Picked> surface_at(const vec2& pixel);
+    void begin_wish(const vec2& pixel);
+    void widen_wish(const vec2& pixel);
+    void end_wish();
+    void draw_wishes_places();
     void draw_error();
     void draw_compared();
     bool over_divider(const vec2& pixel) const;
@@ -107,8 +116,9 @@ class Viewport {
     double fly_speed_ = 3;
     vec2 pressed_at_{0}, last_{0};
     bool pressed_ = false, moved_ = false, press_adds_ = false;
-    bool divides_ = false;  // holds the divider of two pictures
-    bool at_once_ = false;  // a drag without a button
+    bool divides_ = false;     // holds the divider of two pictures
+    bool makes_wish_ = false;  // drags the rim of the newest wish
+    bool at_once_ = false;     // a drag without a button
     std::optional<vec2> marquee_from_;
     std::vector<std::uint32_t> last_under_;
     std::size_t cycle_ = 0;

@@ -72,6 +72,7 @@ void Viewport::draw(double now) {
             draw_handles();
         }
         draw_why_ways();
+        draw_wishes_places();
         draw_scale_bar();
         draw_lux();
         if (marquee_from_) {
@@ -94,8 +95,10 @@ void Viewport::draw_badge() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     const float pad = 4 * state_.unit;
-    std::string words = fmt::format("{} - {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), facts.technique,
-                                    facts.preset, facts.size.x, facts.size.y, facts.ms);
+    const std::string refined = state_.refinement.words();
+    std::string words =
+        fmt::format("{}{}{} - {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), refined.empty() ? "" : ", ",
+                    refined, facts.technique, facts.preset, facts.size.x, facts.size.y, facts.ms);
     if (facts.view != "final") {
         words += " - " + facts.view;
     }

@@ -113,6 +113,9 @@ bool EditorWindow::State::act_on_scene(Act what) {
                 e.fields.let_go();
             } else if (e.desk.gesture() || viewport->gesture()) {
                 viewport->cancel();
+            } else if (e.wishes.placing) {
+                viewport->drop_wish();
+                e.wishes.placing = false;
             } else if (e.sheet != Sheet::none && open) {
                 e.sheet = Sheet::none;
             } else if (!e.problem.empty()) {

@@ -54,6 +54,8 @@ void EditorWindow::State::scene_opened() {
     editor->solo.clear();
     editor->never_mind.clear();
     editor->why.reset();
+    editor->wishes = {};
+    editor->played.clear();
     why_light.forget();
     editor->error.reset();
     editor->kept_picture.reset();

@@ -69,6 +69,9 @@ void EditorWindow::State::apply_preview() {
                 e.problem = error.what();
             }
         }
+        if (e.refines && Refinement::possible(shown)) {
+            Refinement::prepare(shown);
+        }
         gi::apply_settings(session.app(), shown);
         e.pace.forget();
     }
@@ -174,21 +177,55 @@ void EditorWindow::State::write_review_page() {
     e.pace.changed(now(), false);
 }
 
+// Of the picture at its whole size.
+glm::dvec2 EditorWindow::State::whole_size() {
+    const Box& box = editor->layout.picture;
+    const glm::dvec2 whole(box.width, box.height);
+    if (!window.info().software) {
+        return whole;
+    }
+    // Of more, a frame takes seconds.
+    return whole * std::min(1.0, std::sqrt(kMostPixelsOnCpu / (whole.x * whole.y)));
+}
+
+gi::ErrorEstimate EditorWindow::State::estimate_error() {
+    const gi::ErrorEstimate estimate = gi::technique_of(session.app(), ViewId::first).estimate_error();
+    editor->estimate = estimate.known ? std::optional(estimate.local) : std::nullopt;
+    return estimate;
+}
+
+// A frame more of a picture that is still.
+void EditorWindow::State::refine_picture() {
+    EditorState& e = *editor;
+    const ivec2 size = glm::max(ivec2(glm::round(whole_size())), 16);
+    try {
+        e.picture.draw(session.app(), size, size, [this] { breathe(); });
+        if (e.refinement.drew(e.picture.facts().ms)) {
+            const gi::ErrorEstimate estimate = estimate_error();
+            e.refinement.estimated(estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt);
+            settling = std::max(settling, 1);
+        }
+        if (!e.refinement.due()) {
+            viewport->read_light();
+        }
+    } catch (const Error& error) {
+        e.problem = error.what();
+        e.refinement.forget();
+    }
+}
+
 void EditorWindow::State::draw_picture() {
     EditorState& e = *editor;
-    const Box& box = e.layout.picture;
-    if (box.empty() || !session.is_open()) {
+    if (e.layout.picture.empty() || !session.is_open()) {
         return;
     }
     const double at = now();
     const Quality quality = e.pace.quality(at);
     const double scale = e.pace.scale(at);
-    glm::dvec2 whole(box.width, box.height);
-    if (window.info().software) {  // of more, a frame takes seconds
-        whole *= std::min(1.0, std::sqrt(kMostPixelsOnCpu / (whole.x * whole.y)));
-    }
+    const glm::dvec2 whole = whole_size();
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
     const double shows_hand = std::exchange(hand_at, 0);
+    e.refinement.forget();
     try {
         const double changed = e.picture.draw(session.app(), size, glm::max(ivec2(glm::round(whole)), 16),
                                               [this] { breathe(); });
@@ -203,9 +240,11 @@ void EditorWindow::State::draw_picture() {
         }
         viewport->picture_drawn();
         if (!e.pace.due() || e.picture.frames() % kEstimateEvery == 0) {
-            const gi::ErrorEstimate estimate =
-                gi::technique_of(session.app(), ViewId::first).estimate_error();
-            e.estimate = estimate.known ? std::optional(estimate.local) : std::nullopt;
+            const gi::ErrorEstimate estimate = estimate_error();
+            if (!e.pace.due() && e.refines && Refinement::possible(e.settings)) {
+                e.refinement.begin(estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt,
+                                   e.settings);
+            }
         }
         if (!e.pace.due() && e.settings.text("gi.technique") != "path") {
             viewport->read_light();

@@ -110,8 +110,14 @@ void EditorWindow::State::make_panels() {
             const bool was_open = e.splits.drawer_open;
             // Tabs of buttons: ImGui's would take the room of a closed drawer.
             const std::string names[] = {fmt::format("Lights {}", e.lights.size()),
-                                         fmt::format("Warnings {}", e.warnings.size()), "Why", "Settings"};
-            for (int i = kLightsTab; i <= kSettingsTab; ++i) {
+                                         fmt::format("Warnings {}", e.warnings.size()),
+                                         "Why",
+                                         e.wishes.rows.empty()
+                                             ? std::string("Wishes")
+                                             : fmt::format("Wishes {}", e.wishes.rows.size()),
+                                         "Settings",
+                                         fmt::format("Played {}", e.played.size())};
+            for (int i = kLightsTab; i <= (e.played.empty() ? kSettingsTab : kPlayedTab); ++i) {
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {
@@ -129,6 +135,8 @@ void EditorWindow::State::make_panels() {
             e.drawer_tab == kLightsTab     ? draw_lights_table(e)
             : e.drawer_tab == kWarningsTab ? draw_warnings(e)
             : e.drawer_tab == kWhyTab      ? draw_why(e)
+            : e.drawer_tab == kWishesTab   ? draw_wishes(e)
+            : e.drawer_tab == kPlayedTab   ? draw_played(e)
                                            : draw_settings(e);
             ImGui::EndChild();
         },

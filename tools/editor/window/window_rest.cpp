@@ -46,6 +46,13 @@ void EditorWindow::State::take_rest_figures(RestFigures figures) {
     settling = kSettlingFrames;
 }
 
+// Once the picture's figures are there: they and the passes would be in each other's way.
+bool EditorWindow::State::refines_now() const {
+    const EditorState& e = *editor;
+    return session.is_open() && !e.pace.due() && !e.pace.held() && e.refinement.due() &&
+           !e.layout.picture.empty() && !rest_watch.busy() && !game.running();
+}
+
 void EditorWindow::State::follow_rest() {
     EditorState& e = *editor;
     if (std::optional<RestFigures> figures = rest_watch.take()) {
@@ -58,6 +65,9 @@ void EditorWindow::State::follow_rest() {
         }
         costs.reset();
         return;
+    }
+    if (e.refinement.due() && e.refinement.begun()) {
+        return;  // what is measured is the picture before it, and then the last one
     }
     const ivec2 size = e.picture.facts().size;
     const Renderer& renderer = session.world().resource<Renderer>();
@@ -77,7 +87,9 @@ void EditorWindow::State::follow_rest() {
         job->contracts = workbench::contracts_of(session.world(), job->frame);
         rest_watch.measure(std::move(job));
     }
-    measure_costs(size);
+    if (!e.refinement.due()) {
+        measure_costs(size);
+    }
 }
 
 // A frame a turn, where somebody looks at the table of lights.
@@ -87,7 +99,7 @@ void EditorWindow::State::measure_costs(ivec2 size) {
         e.splits.drawer_open && e.drawer_tab == kLightsTab && !e.splits.only_picture && !e.lights.empty();
     const bool known = e.costs_version == session.version() && e.costs_pose == session.pose() && !costs;
     if (!asked || known || rest_watch.busy() || !e.muted.empty() || !e.solo.empty() ||
-        e.settings.text("gi.technique") == "path") {
+        e.settings.text("gi.technique") == "path" || game.running()) {
         costs.reset();
         return;
     }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "tools/editor/window/file_watch.h"
 #include "tools/editor/window/input_queue.h"
 #include "tools/editor/window/viewport.h"
+#include "tools/editor/window/wish_solver.h"
 #include "tools/workbench/measure/light_costs.h"
 
 namespace lanthorn::edit_window {
@@ -101,12 +103,24 @@ struct EditorWindow::State {
     int measured_frame = -1;  // that the watch looks at, or has looked at; -1: none
     double rest_since = 0;
     std::unique_ptr<workbench::LightCosts> costs;  // being measured
+    // window_wishes.cpp
+    void take_wishes(WishSolver::Answer answer);
+    void follow_wishes();
+    WishSolver wish_solver;
+    std::uint64_t asked_wishes = 0, asked_version = 0;  // that the solver has
     // window_play.cpp
     void play_here();
     void follow_play();
+    void look_at_played();
+    std::filesystem::path played_folder;
+    std::future<PlayedScene> played;  // being looked at
     ChildProgram game;
     Alarm costs_alarm;  // they are due
     void draw_picture();
+    bool refines_now() const;
+    void refine_picture();
+    glm::dvec2 whole_size();
+    gi::ErrorEstimate estimate_error();
     void breathe();
     // window_panels.cpp
     void draw_panels(bool in_frame);

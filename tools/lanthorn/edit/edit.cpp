@@ -8,13 +8,14 @@
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/edit/edit_window.h"
+#include "tools/lanthorn/edit/recorded_state.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
 struct Options {
-    std::string scene, script;
+    std::string scene, script, at;
     SettingsChoice settings;
     std::string technique;
     SceneView view;
@@ -22,12 +23,16 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
+    if (!options.at.empty() && options.scene.empty()) {
+        throw InputError("--at: found no SCENE, expected the level that was recorded");
+    }
     if (options.script.empty()) {
         EditWindowChoice window = options.window;
         window.scene = options.scene;
         window.view = options.view;
         window.technique = options.technique;
         window.preset = options.settings.preset;
+        window.at = options.at;
         return open_edit_window(window);
     }
     ChosenSettings chosen(options.settings);
@@ -38,6 +43,9 @@ ExitCode run(const Options& options) {
                               [](const std::string& line) { fmt::print("{}\n", line); });
     if (!options.scene.empty()) {
         script.session().open(options.scene);
+    }
+    if (!options.at.empty()) {
+        show_recorded(script.session(), options.at);
     }
     script.run_file(options.script);
     return ExitCode::ok;
@@ -55,6 +63,11 @@ Command add_edit(CLI::App& app) {
                                            "with 2 at the first line that cannot be done.");
     add_scene_option(*command, options->scene)->required(false);
     command->add_option("--script", options->script, "commands to be run without a window (docs/editor.md)");
+    command
+        ->add_option("--at", options->at,
+                     "as a recorded session of the level leaves it after that step: one step of edits, seen "
+                     "by the player's eyes")
+        ->type_name("FILE:STEP");
     command->add_option("--technique", options->technique,
                         "indirect light of pictures (gi.technique; default: emc)");
     add_camera_option(*command, options->view.camera);

@@ -7,6 +7,7 @@
 #include "tools/editor/core/recovery_log.h"
 #include "tools/editor/window/editor_window.h"
 #include "tools/lanthorn/edit/play_level.h"
+#include "tools/lanthorn/edit/recorded_state.h"
 
 namespace lanthorn::tools {
 
@@ -21,7 +22,11 @@ ExitCode open_edit_window(const EditWindowChoice& choice) {
     options.technique = choice.technique;
     options.preset = choice.preset;
     options.report = choice.report;
+    if (!choice.at.empty()) {
+        options.opened = [at = choice.at](editor::EditSession& session) { show_recorded(session, at); };
+    }
     options.play = play_command;
+    options.played = played_scene;
     options.recent = shell::data_file("lanthorn", "recent-scenes");
     for (const std::string_view stem : game::campaign()) {
         const std::filesystem::path file = game::level_path(stem);

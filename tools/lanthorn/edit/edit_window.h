@@ -15,6 +15,7 @@ struct EditWindowChoice {
     std::string size = "1280x720";  // of the window, pixels
     int text = 0;                   // percent; 0: as the screen asks
     std::string report;             // file of lines of JSON; empty: none
+    std::string at;                 // FILE:STEP of a recording of the scene; empty: as the file has it
 };
 
 // Until the person closes it. Throws Error(ExitCode::no_gl) without a display or usable OpenGL.

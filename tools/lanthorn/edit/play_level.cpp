@@ -8,6 +8,7 @@
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/game_program.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/edit/recorded_state.h"
 
 namespace lanthorn::tools {
 
@@ -17,6 +18,7 @@ using editor::EditModel;
 using editor::ModelNode;
 
 constexpr double kEyes = 1.62;  // metres above the ground, of a player that is made
+constexpr const char* kRecording = "played.rec";
 
 nlohmann::json extras_of(const ModelNode& node) {
     return node.extras.empty() ? nlohmann::json::object() : parse_json(node.extras, "extras");
@@ -87,9 +89,14 @@ GltfDocument play_document(const editor::EditSession& session) {
 
 std::vector<std::string> play_command(const editor::EditSession& session, const Settings& settings,
                                       const std::filesystem::path& level, ivec2 size) {
-    std::vector<std::string> command{
-        game_program(),   "--level", level.string(), "--size", fmt::format("{}x{}", size.x, size.y),
-        "--escape-leaves"};
+    std::vector<std::string> command{game_program(),
+                                     "--level",
+                                     level.string(),
+                                     "--size",
+                                     fmt::format("{}x{}", size.x, size.y),
+                                     "--escape-leaves",
+                                     "--record",
+                                     (level.parent_path() / kRecording).string()};
     for (const SettingInfo& info : settings.schema().all()) {
         if (!settings.is_default(info.name)) {
             command.insert(command.end(), {"--set", info.name + '=' + settings.text(info.name)});
@@ -97,6 +104,11 @@ std::vector<std::string> play_command(const editor::EditSession& session, const 
     }
     play_document(session).write(level);
     return command;
+}
+
+edit_window::PlayedScene played_scene(const std::filesystem::path& folder) {
+    return recorded_state((folder / kRecording).string(), (folder / "level.glb").string(), std::nullopt)
+        .scene;
 }
 
 }  // namespace lanthorn::tools

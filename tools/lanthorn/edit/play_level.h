@@ -7,6 +7,7 @@
 
 #include "lanthorn/core/settings.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/window/played_shown.h"
 
 namespace lanthorn::tools {
 
@@ -14,9 +15,13 @@ namespace lanthorn::tools {
 // gets one, and surfaces to stand on: whatever has a mesh and no collider or body stands still and is solid.
 GltfDocument play_document(const editor::EditSession& session);
 
-// Writes that as `level` and gives the command line that plays it: Esc ends it. Throws InputError where the
-// game is not installed beside this program.
+// Writes that as `level` and gives the command line that plays it, and records that beside it: Esc ends it.
+// Throws InputError where the game is not installed beside this program.
 std::vector<std::string> play_command(const editor::EditSession& session, const Settings& settings,
                                       const std::filesystem::path& level, ivec2 size);
+
+// What became of the level in that folder: plays the recording again, to its end. Throws InputError where it
+// cannot be.
+edit_window::PlayedScene played_scene(const std::filesystem::path& folder);
 
 }  // namespace lanthorn::tools

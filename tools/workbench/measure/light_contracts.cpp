@@ -36,29 +36,34 @@ std::string range_words(const LightContract& asked) {
 
 }  // namespace
 
+PlacedContract placed_contract(const ecs::World& world, const FrameScene& frame, ecs::Entity e,
+                               const LightContract& asked) {
+    PlacedContract placed;
+    const Name* name = world.try_get<Name>(e);
+    placed.name = name != nullptr ? name->value : fmt::format("thing {}", e.index);
+    placed.asked = asked;
+    dmat4 to_render = world.get<WorldTransform>(e).matrix;
+    to_render[3] -= dvec4(frame.origin, 0);
+    if (const LightSensor* sensor = world.try_get<LightSensor>(e)) {
+        placed.sensor = true;
+        placed.position = vec3(to_render[3]);
+        placed.direction = glm::normalize(vec3(-dvec3(to_render[2])));
+        placed.radius = sensor->radius;
+        placed.filter = sensor->filter;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        to_render[axis] *= static_cast<double>(asked.size[axis]);
+    }
+    placed.from_box = mat4(to_render);
+    placed.to_box = mat4(glm::inverse(to_render));
+    return placed;
+}
+
 std::vector<PlacedContract> contracts_of(const ecs::World& world, const FrameScene& frame) {
     std::vector<std::pair<ecs::Entity, PlacedContract>> found;
-    world.query<ecs::Read<LightContract>, ecs::Read<WorldTransform>>().each(
-        [&](ecs::Entity e, const LightContract& asked, const WorldTransform& transform) {
-            PlacedContract placed;
-            const Name* name = world.try_get<Name>(e);
-            placed.name = name != nullptr ? name->value : fmt::format("thing {}", e.index);
-            placed.asked = asked;
-            dmat4 to_render = transform.matrix;
-            to_render[3] -= dvec4(frame.origin, 0);
-            if (const LightSensor* sensor = world.try_get<LightSensor>(e)) {
-                placed.sensor = true;
-                placed.position = vec3(to_render[3]);
-                placed.direction = glm::normalize(vec3(-dvec3(to_render[2])));
-                placed.radius = sensor->radius;
-                placed.filter = sensor->filter;
-            }
-            for (int axis = 0; axis < 3; ++axis) {
-                to_render[axis] *= static_cast<double>(asked.size[axis]);
-            }
-            placed.from_box = mat4(to_render);
-            placed.to_box = mat4(glm::inverse(to_render));
-            found.emplace_back(e, std::move(placed));
+    world.query<ecs::Read<LightContract>, ecs::With<WorldTransform>>().each(
+        [&](ecs::Entity e, const LightContract& asked) {
+            found.emplace_back(e, placed_contract(world, frame, e, asked));
         });
     std::ranges::sort(found, {}, [](const auto& each) { return each.first.index; });
     std::vector<PlacedContract> result;
@@ -68,14 +73,17 @@ std::vector<PlacedContract> contracts_of(const ecs::World& world, const FrameSce
     return result;
 }
 
+std::vector<LitPoint> places_of(const PlacedContract& contract, const LightSplitter& light, int places) {
+    return contract.sensor
+               ? light.points_on_disc(contract.position, contract.direction, contract.radius, places)
+               : light.points_within(contract.to_box, places);
+}
+
 ContractVerdict check_contract(const PlacedContract& contract, const LightSplitter& light,
                                const ContractEffort& effort) {
     ContractVerdict verdict;
     verdict.contract = contract;
-    const std::vector<LitPoint> points =
-        contract.sensor
-            ? light.points_on_disc(contract.position, contract.direction, contract.radius, effort.places)
-            : light.points_within(contract.to_box, effort.places);
+    const std::vector<LitPoint> points = places_of(contract, light, effort.places);
     verdict.places = static_cast<int>(points.size());
     if (points.empty()) {
         return verdict;

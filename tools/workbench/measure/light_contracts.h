@@ -25,6 +25,12 @@ struct PlacedContract {
 
 // All of a world, by their entities. `frame`: of that world.
 std::vector<PlacedContract> contracts_of(const ecs::World& world, const FrameScene& frame);
+// What one would be of an entity with a WorldTransform, whether it has one or not.
+PlacedContract placed_contract(const ecs::World& world, const FrameScene& frame, ecs::Entity e,
+                               const LightContract& asked);
+// Up to so many places that it is about; none where there is no surface.
+std::vector<reference::LitPoint> places_of(const PlacedContract& contract,
+                                           const reference::LightSplitter& light, int places);
 
 struct ContractVerdict {
     PlacedContract contract;

@@ -1,5 +1,6 @@
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 
+#include "engine/gpu/pass_end.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 #include "lanthorn/gi/passes.h"
 
@@ -58,6 +59,7 @@ const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
         guides_[level].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();
+        gpu::PassEnd::tell();
     }
     return levels(points, points.irradiance, filtered_);
 }
@@ -84,6 +86,7 @@ const gpu::Buffer& GatherFilter::levels(const Points& points, const gpu::Buffer&
         filtered[level % 2].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();
+        gpu::PassEnd::tell();
         from = &filtered[level % 2];
     }
     return *from;

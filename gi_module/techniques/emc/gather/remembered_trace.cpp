@@ -1,9 +1,11 @@
 #include "gi_module/techniques/emc/gather/remembered_trace.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 #include "lanthorn/gpu/context.h"
@@ -15,6 +17,9 @@ namespace {
 // March steps of a ray, of those of a photon (gi.emc.steps). A photon that misses a chair's leg is one of
 // many; a remembered ray that does is seen for 16 frames.
 constexpr int kStepsOfRays = 3;
+
+// Exact rays that are traced before a window may answer: some 20 ms of two cores in a large scene.
+constexpr std::size_t kAtOnce = 1u << 15;
 
 // One invocation for each of them, of the program in use.
 void dispatch_listed(const EntryList& list) {
@@ -95,7 +100,12 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
     const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
     std::vector<Arrival> arrivals(count);
     const bool albedo = rays.close != nullptr && rays.close->of() == CloseHits::Of::every_hit;
-    rays.exact->trace(requests, arrivals, albedo);
+    for (std::size_t at = 0; at < count; at += kAtOnce) {
+        const std::size_t some = std::min(kAtOnce, count - at);
+        rays.exact->trace(std::span(requests).subspan(at, some), std::span(arrivals).subspan(at, some),
+                          albedo);
+        gpu::PassEnd::tell();
+    }
     arrival_list_.write(0, std::span<const Arrival>(arrivals));
     listed.left.clear();
     const auto look_up = [&](const gpu::Program& program, const EntryList& items) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <numeric>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
@@ -188,10 +189,12 @@ const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, c
     inputs.gpu_scene.bind_materials();
     if (pass == 1) {
         begin(inputs, rays);
+        gpu::PassEnd::tell();
     }
     points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.of<EmcSettings>().gather_rays);
     place(inputs, pass);
     add(shoot(inputs, rays, lit, pass, bad_values));
+    gpu::PassEnd::tell();
     exact_ = rays.exact != nullptr;
     if (changes_picture(pass, last)) {
         show(first,
