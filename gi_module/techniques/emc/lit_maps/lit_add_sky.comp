@@ -18,6 +18,6 @@ void main() {
     vec4 of_lamps = lamps ? radiosity[place] : first[place];
     bool lit = of_lamps.a >= 0.0;
     vec3 of_sky = max(from_sky[place].rgb, vec3(0.0));
-    radiosity[place] = lit ? vec4(of_lamps.rgb + of_sky, of_lamps.a) : vec4(0.0, 0.0, 0.0, -1.0);
+    radiosity[place] = lit ? vec4(of_lamps.rgb + of_sky, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
     from_sky[place] = lit ? vec4(of_sky, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
 }
