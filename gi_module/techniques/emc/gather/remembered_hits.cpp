@@ -30,8 +30,8 @@ constexpr double kOtherPlace = 0.1;
 // cost a fifth of a walking figure's indirect light, and err 1.2 times as much.
 constexpr float kShortLived = 0.03f;
 constexpr int kFewFrames = 8;
-constexpr int kFewestRays =
-    64;  // a point, through the maps: with 32, pictures of a box that moves are 1.2 times as wrong
+// A point, through the maps. Of 32 a picture in which a box moves is 1.2 times as wrong.
+constexpr int kFewestRays = 64;
 constexpr int kLongerLived = 8;  // frames of less, until more are remembered again
 
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
@@ -159,6 +159,7 @@ void RememberedHits::use(const gpu::Program& program) {
     program.set("directions", 10);
     program.set("rays", rays_);
     program.set("capacity", capacity_);
+    program.set("more_first", more_first_);
 }
 
 void RememberedHits::bind(const gpu::Program& program) {
@@ -466,6 +467,7 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
 }
 
 void RememberedHits::collect(const RayScene& rays) {
+    more_first_ = rays.close->of() == CloseHits::Of::every_hit ? rays.close->first() : 0;
     rays.close->collect([this](const gpu::Program& program) { use(program); }, entries(),
                         kRayOriginOffset * rays.maps.extent(rays.scene));
 }

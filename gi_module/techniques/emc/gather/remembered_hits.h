@@ -97,7 +97,7 @@ class RememberedHits {
     void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
     // Fewer slots while rays live shortly: as of the last verify(), if the frame before ran it; of rays
-    // through the maps, which nothing waits for, as of the one before.
+    // through the maps, which nothing waits for, as of the one before, and where enough are left.
     void fit_memory(const RayScene& rays);
     void use_slots(int slots);
     std::size_t starts() const {
@@ -114,6 +114,7 @@ class RememberedHits {
     int long_lived_ = 0;              // frames in which rays have lived long enough for more of them
     int frames_since_motion_ = 0;     // that have shot rays
     bool followed_ = false;           // since the last shoot()
+    int more_first_ = 0;              // of remembered_shade.comp
     RememberedTrace trace_;
     RememberedGuide guide_;
     RememberedShading shading_;

@@ -17,7 +17,8 @@ layout(std430, binding = 2) writeonly buffer Known { float known[]; };          
 layout(std430, binding = 6) writeonly buffer Halves { vec4 halves[]; };
 #endif
 
-uniform samplerBuffer radiosity;  // by place, lux; a < 0: not lit, > 0: more_albedo()
+uniform samplerBuffer radiosity;  // by place, lux; a < 0: not lit; from more_first on > 0: more_albedo()
+uniform int more_first;           // place; 0: there are none
 uniform usamplerBuffer remembered;
 #if IN_PICTURE
 uniform usamplerBuffer served;  // starts, in the order of points
@@ -52,7 +53,7 @@ void add_ray(uint ray, bool odd) {
     squares += y * y;
     all_rays += id == kNoRay ? 0.0 : 1.0;
     weights += id == kNoRay ? vec2(0.0) : vec2(lit ? w : 0.0, w);
-    vec3 a = lit && b.a > 0.0 ? w * more_albedo(b.a) : vec3(0.0);
+    vec3 a = lit && more_first > 0 && int(id) >= more_first && b.a > 0.0 ? w * more_albedo(b.a) : vec3(0.0);
     more += a;
 #if HALVES
     sum_odd += odd ? e : vec3(0.0);

@@ -20,7 +20,7 @@ float ray_weight(uint remembered) { return weight_of((remembered & kWeightBits) 
 // Of a close hit that no lit texel shows, instead of that texel's place: its albedo, red in the lowest byte.
 uint close_albedo(uint albedo) { return 0x80000000u | (albedo & 0x00ffffffu); }
 bool is_close_albedo(uint owner) { return owner >= 0x80000000u; }
-// The same beside what it reflects of direct light, in `a` of its radiosity; 0 of places that reflect all light that they have.
+// The same beside what it reflects of direct light, in `a` of its radiosity; 0 of close hits that reflect all light that they have.
 float reflects_more(uint owner) { return float(owner & 0x00ffffffu) + 1.0; }
 vec3 more_albedo(float a) { return a > 0.0 ? unpackUnorm4x8(uint(a - 1.0)).rgb : vec3(0.0); }
 
