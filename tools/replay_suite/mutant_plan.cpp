@@ -90,8 +90,9 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
         for (const auto& [part, steps] : result->by_name("parts_changed")) {
             if (part != "entities") {
                 // Those that change first: the others may not even be there.
-                const auto place = [&](std::vector<Item>& row) {
-                    return steps > 0 ? row.begin() : row.end();
+                const bool changes = steps > 0;
+                const auto place = [changes](std::vector<Item>& row) {
+                    return changes ? row.begin() : row.end();
                 };
                 flips.insert(place(flips), mutant(replay, "flip:" + part));
                 swaps.insert(place(swaps), mutant(replay, "swap:" + part));

@@ -27,7 +27,7 @@ struct Options {
 };
 
 fs::path recording_file(const Options& options, const std::string& name) {
-    const fs::path file = fs::path(options.folder) / name;
+    fs::path file = fs::path(options.folder) / name;
     if (!fs::is_regular_file(file)) {
         throw InputError(options.folder, "",
                          "found no recording '" + name +

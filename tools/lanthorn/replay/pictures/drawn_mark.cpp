@@ -179,6 +179,7 @@ std::vector<MarkedMoment> marked_moments(const LevelFile& level, const std::stri
                                          const std::shared_ptr<const replay::Recording>& recording,
                                          const std::vector<replay::Mark>& marks, int threads) {
     std::vector<MarkedMoment> moments;
+    moments.reserve(marks.size());
     for (const replay::Mark& mark : marks) {
         moments.push_back({mark, ""});
     }
