@@ -25,7 +25,6 @@ void FrameRenderer::resize(ivec2 size, ivec2 whole) {
     cut_ = !targets_ || targets_->gbuffer.size() != size;
     if (cut_) {
         targets_ = std::make_unique<Targets>(size);
-        drawn_.reset();
     }
     indirect_ = {};
     std::unique_ptr<Upscaler>& upscaler = targets_->upscaler;
@@ -40,8 +39,11 @@ void FrameRenderer::resize(ivec2 size, ivec2 whole) {
 }
 
 void FrameRenderer::restart() {
-    drawn_.reset();
-    if (targets_ && targets_->upscaler) {
+    if (!targets_) {
+        return;
+    }
+    targets_->drawn.reset();
+    if (targets_->upscaler) {
         targets_->upscaler->restart();
     }
 }
@@ -57,16 +59,16 @@ void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& tim
 
 void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "gbuffer");
-    keeps_surfaces_ = shows_the_same_surfaces(scene);
-    if (keeps_surfaces_) {
-        drawn_->frame = scene.frame;
+    targets_->keeps_surfaces = shows_the_same_surfaces(scene);
+    if (targets_->keeps_surfaces) {
+        targets_->drawn->frame = scene.frame;
         return;
     }
-    drawn_ = {scene.frame, scene.camera, scene.origin, settings, std::nullopt, 0};
+    targets_->drawn = {scene.frame, scene.camera, scene.origin, settings, std::nullopt, 0};
     shared_->draw_for(settings);
     if (upscales()) {
-        const vec2 drawn = vec2(size()) / vec2(targets_->upscaler->size());
-        shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(drawn.x * drawn.y));
+        const vec2 share = vec2(size()) / vec2(targets_->upscaler->size());
+        shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(share.x * share.y));
     }
     targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
     shared_->gpu_scene_.set_texture_bias(0);
@@ -75,26 +77,28 @@ void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer)
 // A jittered picture looks elsewhere in every frame.
 bool FrameRenderer::shows_the_same_surfaces(const FrameScene& scene) const {
     const SceneChanges& c = scene.changes;
-    const bool follows = drawn_ && settings.still_kept && !upscales() &&
-                         (scene.frame == drawn_->frame || scene.frame == drawn_->frame + 1);
+    const std::optional<Targets::Drawn>& drawn = targets_->drawn;
+    const bool follows = drawn && settings.still_kept && !upscales() &&
+                         (scene.frame == drawn->frame || scene.frame == drawn->frame + 1);
     return follows && !c.assets && !c.geometry && !c.replaced && c.painted.empty() && !c.pattern &&
-           !c.emission && !c.relief && drawn_->camera == scene.camera && drawn_->origin == scene.origin &&
-           drawn_->settings == settings;
+           !c.emission && !c.relief && drawn->camera == scene.camera && drawn->origin == scene.origin &&
+           drawn->settings == settings;
 }
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "direct");
+    Targets::Drawn& drawn = *targets_->drawn;
     if (traced.lamps) {
-        drawn_->light_maps.reset();
+        drawn.light_maps.reset();
         return;
     }
     const std::uint64_t version = light_maps().version();
-    if (keeps_surfaces_ && !scene.changes.lights && drawn_->light_maps == version &&
-        drawn_->traced_roughness == traced.roughness) {
+    if (targets_->keeps_surfaces && !scene.changes.lights && drawn.light_maps == version &&
+        drawn.traced_roughness == traced.roughness) {
         return;
     }
-    drawn_->light_maps = version;
-    drawn_->traced_roughness = traced.roughness;
+    drawn.light_maps = version;
+    drawn.traced_roughness = traced.roughness;
     targets_->direct.draw(targets_->gbuffer, light_maps(), camera(scene), traced.roughness,
                           settings.pixel_stage);
 }

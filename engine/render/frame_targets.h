@@ -1,7 +1,9 @@
 // The pictures of a FrameRenderer, all of one size.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/render/air.h"
 #include "engine/render/direct.h"
@@ -25,6 +27,18 @@ struct FrameRenderer::Targets {
     Composite composite;
     std::unique_ptr<Upscaler> upscaler;  // where fewer pixels are drawn than are shown
     gpu::Framebuffer display;            // the composite's final picture, with the G-buffer's depth
+
+    // What the G-buffer and the direct light in it were drawn for.
+    struct Drawn {
+        std::uint64_t frame;
+        CameraView camera;
+        dvec3 origin;
+        RenderSettings settings;
+        std::optional<std::uint64_t> light_maps;  // version, where direct light is drawn
+        float traced_roughness = 0;
+    };
+    std::optional<Drawn> drawn;   // nothing: they are to be drawn
+    bool keeps_surfaces = false;  // in this frame
 };
 
 }  // namespace lanthorn::render

@@ -106,6 +106,13 @@ std::string number(float value) {
     return shortest(value);
 }
 
+std::optional<double> finite_number(std::string_view text) {
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    return whole ? std::optional(value) : std::nullopt;
+}
+
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
     std::size_t i = 0;

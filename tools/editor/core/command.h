@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,5 +59,7 @@ std::span<const CommandHelp> command_list();
 // A number with no more digits than it needs to be read again as it is.
 std::string number(double value);
 std::string number(float value);
+// The same read again: all of the text must be one, and finite.
+std::optional<double> finite_number(std::string_view text);
 
 }  // namespace lanthorn::editor

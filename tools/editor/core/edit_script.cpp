@@ -33,14 +33,6 @@ namespace fs = std::filesystem;
     throw Error(ExitCode::check_failed, line);
 }
 
-void expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high,
-                  const char* usage) {
-    if (words.size() < low || words.size() > high) {
-        throw InputError(fmt::format("{}: found {} word{} behind it, expected {}", words[0], words.size() - 1,
-                                     words.size() == 2 ? "" : "s", usage));
-    }
-}
-
 int whole(const std::string& text, int low, int high, const char* what) {
     int value = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -73,6 +65,14 @@ std::string hash_text(const FrameHashes& hashes) {
 }
 
 }  // namespace
+
+void EditScript::expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high,
+                              const char* usage) {
+    if (words.size() < low || words.size() > high) {
+        throw InputError(fmt::format("{}: found {} word{} behind it, expected {}", words[0], words.size() - 1,
+                                     words.size() == 2 ? "" : "s", usage));
+    }
+}
 
 std::string document_hash(const GltfDocument& document) {
     const std::string text = document.json_text();

@@ -55,6 +55,9 @@ class EditScript {
     void print_why(const std::vector<std::string>& words);
     void review(const std::vector<std::string>& words);
     void print_error(const std::vector<std::string>& words);
+    // Throws InputError with the usage if a line does not have `low` to `high` words.
+    static void expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high,
+                             const char* usage);
     // edit_script_wishes.cpp
     bool run_wishes(const std::vector<std::string>& words);  // false: the line is about something else
     WishSolution solution();

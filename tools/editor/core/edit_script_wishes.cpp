@@ -10,17 +10,11 @@ namespace lanthorn::editor {
 
 bool EditScript::run_wishes(const std::vector<std::string>& words) {
     const std::string& verb = words[0];
-    const auto expect = [&](std::size_t low, std::size_t high, const char* usage) {
-        if (words.size() < low || words.size() > high) {
-            throw InputError(
-                fmt::format("{}: found {} words behind it, expected {}", verb, words.size() - 1, usage));
-        }
-    };
     if (verb == "wish") {
-        expect(3, 4, "wish WHERE LUX [RADIUS]");
+        expect_words(words, 3, 4, "wish WHERE LUX [RADIUS]");
         wishes_.push_back(wish_of(words[1], words[2], words.size() > 3 ? words[3] : std::string()));
     } else if (verb == "keep") {
-        expect(2, 1000, "keep PATH...");
+        expect_words(words, 2, 1000, "keep PATH...");
         for (std::size_t i = 1; i < words.size(); ++i) {
             const std::uint32_t node = session_.node_at(words[i]);
             if (light_of(session_.model(), node) == nullptr) {
@@ -29,7 +23,7 @@ bool EditScript::run_wishes(const std::vector<std::string>& words) {
             kept_.push_back(words[i]);
         }
     } else if (verb == "solve") {
-        expect(1, 1, "solve alone");
+        expect_words(words, 1, 1, "solve alone");
         const WishSolution found = solution();
         const std::vector<std::string> lines = found.commands();
         if (!lines.empty()) {
@@ -40,7 +34,7 @@ bool EditScript::run_wishes(const std::vector<std::string>& words) {
         }
         print_(solution_words(found));
     } else if (verb == "forget-wishes") {
-        expect(1, 1, "forget-wishes alone");
+        expect_words(words, 1, 1, "forget-wishes alone");
         wishes_.clear();
         kept_.clear();
     } else {

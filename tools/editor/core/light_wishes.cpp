@@ -32,12 +32,11 @@ constexpr double kSame = 1e-4;  // relative: a lamp that changes less stays
 constexpr double kDarkest = 1;  // lux; of a wish for less a miss counts as of one for this
 
 double number_in(std::string_view text, const char* what) {
-    double value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const std::optional<double> value = finite_number(text);
+    if (!value) {
         throw InputError(fmt::format("found '{}', expected {}", text, what));
     }
-    return value;
+    return *value;
 }
 
 // What a wish's miss is measured by.

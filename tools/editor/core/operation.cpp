@@ -42,13 +42,11 @@ void Operation::expect_count(std::initializer_list<std::size_t> counts) const {
 
 double Operation::number_at(std::size_t i) const {
     const std::string& text = word_at(i);
-    double value = 0;
-    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, problem] = std::from_chars(begin, text.data() + text.size(), value);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const auto value = finite_number(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
+    if (!value) {
         refuse(fmt::format("found '{}', expected a number", text));
     }
-    return value;
+    return *value;
 }
 
 dvec3 Operation::vector_at(std::size_t i) const {

@@ -24,8 +24,9 @@ bool has_unit(std::string_view text, std::string_view unit, double& value) {
         return false;
     }
     text.remove_suffix(unit.size());
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    const std::optional<double> found = finite_number(text);
+    value = found.value_or(value);
+    return found.has_value();
 }
 
 std::string checked_kelvin(Operation& op, double kelvin) {

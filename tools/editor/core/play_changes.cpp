@@ -1,6 +1,7 @@
 #include "tools/editor/core/play_changes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,10 +132,7 @@ std::vector<PlayChange> play_changes(const EditModel& model,
         if (change.lines.empty()) {
             continue;
         }
-        change.title = called(model, node) + ": ";
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            change.title += (i > 0 ? ", " : "") + words[i];
-        }
+        change.title = fmt::format("{}: {}", called(model, node), fmt::join(words, ", "));
         changes.push_back(std::move(change));
     }
     return changes;

@@ -53,9 +53,8 @@ class Checker {
 };
 
 MarkPicture Checker::drawn(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets) const {
-    MarkPicture picture =
-        choice_.fault ? draw_with_fault(artist_, at, view, *choice_.fault, targets) : artist_.draw(at, view);
-    return picture;
+    return choice_.fault ? draw_with_fault(artist_, at, view, *choice_.fault, targets)
+                         : artist_.draw(at, view);
 }
 
 void Checker::write(const std::string& mark, const ImageF& actual, const Baseline* expected,

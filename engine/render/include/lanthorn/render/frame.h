@@ -147,17 +147,6 @@ class FrameRenderer {
     bool cut_ = true;                   // the first frame of its size
     std::uint64_t upscaled_ = 0;        // frames since upscale() had its sizes
     std::optional<CameraView> looked_;  // by the last upscale()
-    // What the G-buffer and the direct light in it were drawn for; nothing: they are to be drawn.
-    struct Drawn {
-        std::uint64_t frame;
-        CameraView camera;
-        dvec3 origin;
-        RenderSettings settings;
-        std::optional<std::uint64_t> light_maps;  // version, where direct light is drawn
-        float traced_roughness = 0;
-    };
-    std::optional<Drawn> drawn_;
-    bool keeps_surfaces_ = false;  // in this frame
     IndirectLight indirect_;
 
     CameraUniforms camera(const FrameScene& scene) const;
