@@ -10,8 +10,8 @@ namespace lanthorn::render {
 BlendPass::BlendPass() : programs_({"engine/render/gbuffer.vert", "engine/render/blend.frag"}) {}
 
 void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
-                     const CameraUniforms& camera, const gpu::Texture* irradiance,
-                     const gpu::Framebuffer& target, ivec2 size) {
+                     const CameraUniforms& camera, const Light& light, const gpu::Framebuffer& target,
+                     ivec2 size) {
     gpu_scene.find_visible(DrawSet::blend, camera.frustum(), order_);
     if (order_.empty()) {
         return;
@@ -23,11 +23,19 @@ void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const L
     // Behind the material's own texture units.
     const gpu::Program& program = programs_.bind(light_maps, static_cast<GLuint>(kMaterialTextures));
     camera.set(program);
-    program.set("lit_indirectly", irradiance != nullptr ? 1 : 0);
-    if (irradiance != nullptr) {
-        constexpr GLuint kUnit = static_cast<GLuint>(kMaterialTextures) + kLightMapUnits;
-        irradiance->bind(kUnit);
-        program.set("indirect_irradiance", static_cast<int>(kUnit));
+    GLuint unit = static_cast<GLuint>(kMaterialTextures) + kLightMapUnits;
+    const auto take = [&](const char* name, const gpu::Texture& texture) {
+        texture.bind(unit);
+        program.set(name, static_cast<int>(unit++));
+    };
+    program.set("lit_indirectly", light.behind == nullptr ? 0 : light.nearest == nullptr ? 1 : 2);
+    if (light.behind != nullptr) {
+        take("irradiance_behind", *light.behind);
+    }
+    if (light.behind != nullptr && light.nearest != nullptr) {
+        take("irradiance_nearest", *light.nearest);
+        take("distance_behind", *light.distance_behind);
+        take("distance_nearest", *light.distance_nearest);
     }
     target.bind(size);
     glEnable(GL_DEPTH_TEST);

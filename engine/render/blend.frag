@@ -7,8 +7,20 @@
 
 layout(location = 0) out vec4 out_radiance;
 
-uniform int lit_indirectly;
-uniform sampler2D indirect_irradiance;  // of what lies behind
+uniform int lit_indirectly;  // 1: as what lies behind; 2: that of the nearest blended surface is known
+uniform sampler2D irradiance_behind, irradiance_nearest;  // lux
+uniform sampler2D distance_behind, distance_nearest;      // metres; 0: nothing
+
+// Indirect light at a fragment: that of the nearest blended surface, and by distance ever more of what lies behind.
+vec3 irradiance_at(float distance) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 behind = texelFetch(irradiance_behind, pixel, 0).rgb;
+    if (lit_indirectly < 2) return behind;
+    float nearest = texelFetch(distance_nearest, pixel, 0).r, far = texelFetch(distance_behind, pixel, 0).r;
+    if (nearest <= 0.0) return behind;
+    float share = far > nearest ? clamp((distance - nearest) / (far - nearest), 0.0, 1.0) : 0.0;
+    return mix(texelFetch(irradiance_nearest, pixel, 0).rgb, behind, share);
+}
 
 void main() {
     vec3 towards = camera_orthographic != 0 ? -camera_forward : camera_position - scene.position;
@@ -27,7 +39,7 @@ void main() {
         if (lit_indirectly != 0) {
             float reflects = base_reflectance(m.metallic, m.transmission, m.roughness, materials[scene.material].reflects.y,
                                               materials[scene.material].reflects.z);
-            vec3 irradiance = texelFetch(indirect_irradiance, ivec2(gl_FragCoord.xy), 0).rgb;
+            vec3 irradiance = irradiance_at(camera_distance(scene.position - camera_position));
             radiance += irradiance * m.base_colour * (reflects * m.occlusion * 0.31830988618);
         }
     }

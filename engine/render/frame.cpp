@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/render/frame_targets.h"
 #include "engine/render/scene_renderer.h"
@@ -71,7 +72,21 @@ void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer)
         shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(share.x * share.y));
     }
     targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
+    draw_blended_surfaces(camera(scene));
     shared_->gpu_scene_.set_texture_bias(0);
+}
+
+void FrameRenderer::draw_blended_surfaces(const CameraUniforms& camera) {
+    std::vector<std::uint32_t> visible;
+    shared_->gpu_scene_.find_visible(DrawSet::blend, camera.frustum(), visible);
+    if (visible.empty()) {
+        targets_->blended.reset();
+        return;
+    }
+    if (!targets_->blended) {
+        targets_->blended = std::make_unique<GBuffer>(size(), DrawSet::blend);
+    }
+    targets_->blended->draw_before(targets_->gbuffer, shared_->gpu_scene_, camera);
 }
 
 // A jittered picture looks elsewhere in every frame.
@@ -117,7 +132,10 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         composite.combine(targets_->gbuffer,
                           {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
                           shared_->sky_, camera(scene), settings.pixel_stage);
-        shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene), indirect.irradiance,
+        const BlendPass::Light light{indirect.irradiance, &targets_->gbuffer.distance(),
+                                     indirect.blended_irradiance,
+                                     targets_->blended ? &targets_->blended->distance() : nullptr};
+        shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene), light,
                              composite.radiance_framebuffer(), size());
     }
     if (settings.air_scattering > 0) {
@@ -171,7 +189,7 @@ LightInputs FrameRenderer::light_inputs(const FrameScene& scene, gpu::PassTimer&
 }
 
 FrameInputs FrameRenderer::inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
-    return {light_inputs(scene, timer), targets_->gbuffer, camera(scene)};
+    return {light_inputs(scene, timer), targets_->gbuffer, camera(scene), targets_->blended.get()};
 }
 
 CameraUniforms FrameRenderer::camera(const FrameScene& scene) const {

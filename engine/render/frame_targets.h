@@ -22,6 +22,7 @@ struct FrameRenderer::Targets {
           composite(size, gbuffer.depth()),
           display({&composite.final()}, &gbuffer.depth()) {}
     GBuffer gbuffer;
+    std::unique_ptr<GBuffer> blended;  // where something blended is in view
     DirectLight direct;
     std::unique_ptr<AirLight> air;  // once asked for
     Composite composite;

@@ -11,6 +11,11 @@ layout(location = 3) out vec4 out_material;
 layout(location = 4) out vec4 out_emissive;
 
 uniform float emissive_scale;
+#ifdef BLENDED
+uniform sampler2D distance_behind;  // of what is solid; 0: nothing
+
+const float kClearAlpha = 1.0 / 64.0;  // below it nothing is seen of a surface
+#endif
 
 void main() {
     vec3 relative = scene.position - camera_position;
@@ -18,7 +23,11 @@ void main() {
     vec3 geometric = geometric_normal(towards);
     SurfaceMaterial m = evaluate_material();
     vec3 shading = shading_normal(gl_FrontFacing);
-#ifdef MASKED  // a shader that may discard tests depth late, even where it does not
+#ifdef BLENDED
+    float behind = texelFetch(distance_behind, ivec2(gl_FragCoord.xy), 0).r;
+    bool hidden = behind > 0.0 && camera_distance(relative) >= behind;
+    if (hidden || m.alpha < kClearAlpha || m.alpha >= kSolidAlpha) discard;
+#elif defined(MASKED)  // a shader that may discard tests depth late, even where it does not
     if (material_not_solid(m.alpha)) discard;
 #endif
     out_distance = camera_distance(relative);

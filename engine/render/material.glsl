@@ -68,6 +68,12 @@ bool material_cut_out(float alpha) {
     return (scene.flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
 }
 
+// The same for maps that photons fly through: open in the same cells of `cell` metres in all of them.
+bool material_open(float alpha, float cell) {
+    if ((scene.flags & kMaterialBlend) != 0u) return alpha <= coarse_alpha_threshold(scene.position, cell);
+    return material_cut_out(alpha);
+}
+
 // The same for a camera: what is blended it shows solid where it is next to opaque, and over the picture elsewhere.
 bool material_not_solid(float alpha) {
     return (scene.flags & kMaterialBlend) != 0u ? alpha < kSolidAlpha : material_cut_out(alpha);

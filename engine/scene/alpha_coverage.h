@@ -36,6 +36,17 @@ LANTHORN_SHARED float alpha_threshold(vec3 position) {
     return float(v.x >> 8u) * (1.0f / 16777216.0f);
 }
 
+// The same in cells of `cell` metres, for pictures of a surface that have to agree with each other on where
+// it is open although their texels are wider than the cells above. Neighbouring cells take the values of a
+// lattice (Roberts 2018, R3), so that of a few cells, too, as many are open as alpha says.
+LANTHORN_SHARED float coarse_alpha_threshold(vec3 position, float cell) {
+#ifdef __cplusplus
+    using glm::dot, glm::floor, glm::fract, glm::mod;
+#endif
+    vec3 place = mod(floor(position / cell + 0.5f), vec3(4096.0f));
+    return fract(dot(place, vec3(0.8191725134f, 0.6710436067f, 0.5497004779f)));
+}
+
 #undef LANTHORN_SHARED
 #ifdef __cplusplus
 }  // namespace lanthorn

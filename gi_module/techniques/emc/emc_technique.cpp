@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/emc_technique.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "gi_module/techniques/emc/gather/error_model.h"
@@ -202,10 +203,13 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     splat_glossy(inputs);
     mirror(inputs);
     kept_.done(plan_, results_, inputs.scene.bounds);
-    return {shown(), specular_};
+    render::IndirectLight light{shown(), specular_};
+    light.blended_irradiance = blended_gather_ ? &blended_gather_->picture() : nullptr;
+    return light;
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
+    blended_gather_.reset();
     GiSettings splats = settings_;
     splats.edit<EmcSettings>().splat_base = plan_.base;
     irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, plan_.splat_surroundings,
@@ -237,6 +241,27 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
         still_gather_.end_fade();
     }
     irradiance_ = &still_gather_.faded(gather_.picture());
+    gather_blended(inputs);
+}
+
+// What falls on blended surfaces before the picture's: a gather of their own, coarser, as they are half
+// clear.
+void EmcTechnique::gather_blended(const render::FrameInputs& inputs) {
+    if (inputs.blended == nullptr) {
+        blended_gather_.reset();
+        return;
+    }
+    GatherWork work = plan_.gather;
+    work.survey = false;
+    if (!blended_gather_) {
+        blended_gather_ = std::make_unique<Gather>();
+        work = {.forget = false, .points = true, .verify = false, .shoot = true};
+    }
+    GiSettings coarser = settings_;
+    coarser.edit<EmcSettings>().gather_grid *= 2;
+    const render::FrameInputs before{render::LightInputs(inputs), *inputs.blended, inputs.camera};
+    blended_gather_->irradiance(before, maps_, lit_maps_, movers_, gather_rays_, coarser, work,
+                                photons_.bad_values());
 }
 
 // A still picture whose gather is done.

@@ -50,6 +50,7 @@ class EmcTechnique final : public Technique {
     void update_lit_maps(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
+    void gather_blended(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
     void splat_glossy(const render::FrameInputs& inputs);
     void mirror(const render::FrameInputs& inputs);
@@ -71,6 +72,7 @@ class EmcTechnique final : public Technique {
     Accumulation glossy_accumulation_;
     LitMaps lit_maps_;
     Gather gather_;
+    std::unique_ptr<Gather> blended_gather_;  // null: no blended surface is in view, or nothing gathers
     StillGather still_gather_;
     SpecularView specular_view_;
     UnseenSurvey survey_;  // the last one

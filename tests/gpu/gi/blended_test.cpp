@@ -81,6 +81,35 @@ TEST(Blended, IndirectLightIsWhatPathFinds) {
     EXPECT_LT(off.rel_rmse, 0.12);
 }
 
+// A curtain that hides nearly all of the lit half: it is lit by what falls on the side that is seen, not by
+// what falls on the walls behind it.
+TEST(Blended, ADenseCurtainIsLitFromItsOwnSide) {
+    const FrameScene scene = parted_room(curtain(0.9f, 0.9f), AlphaMode::blend);
+    const Truth truth = path_traced(scene, kSize, kBounces, kSpp, reference::PathAov::radiance);
+    const Deviation off = against(shown(scene), truth);
+    std::printf("a dense curtain: flux %.3f, relRMSE %.3f\n", off.mean, off.rel_rmse);
+    EXPECT_NEAR(off.mean, 1, 0.05);
+    EXPECT_LT(off.rel_rmse, 0.2);
+}
+
+// The little that a dense curtain lets through is bounced on: photons find the same openings in every map.
+TEST(Blended, PhotonsPassADenseCurtainAsAlphaSays) {
+    FrameScene scene = parted_room(curtain(0.9f, 0.9f), AlphaMode::blend);
+    support::look(scene, vec3(0.3f, 1.5f, 0), vec3(3, 1.5f, 0));  // from before the curtain
+    const Truth truth = path_traced(scene, kSize, kBounces, kSpp);
+    for (const EmcRays rays : {EmcRays::bvh, EmcRays::maps}) {
+        Bench bench;
+        by_default(bench);
+        bench.settings.edit<EmcSettings>().rays = rays;
+        const Deviation off = against(still_picture(bench, scene, kFrames, kSize), truth);
+        const bool maps = rays == EmcRays::maps;
+        std::printf("behind a dense curtain, %s: flux %.3f, relRMSE %.3f\n", maps ? "maps" : "exact rays",
+                    off.mean, off.rel_rmse);
+        EXPECT_NEAR(off.mean, 1, maps ? 0.15 : 0.08);
+        EXPECT_LT(off.rel_rmse, maps ? 0.15 : 0.1);
+    }
+}
+
 // What is left of the lamp's own light behind it.
 TEST(Blended, ShadowsAreAsDenseAsAlphaSays) {
     const auto direct = [](float alpha) {

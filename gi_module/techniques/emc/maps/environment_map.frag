@@ -4,6 +4,8 @@
 #include "engine/render/material.glsl"
 #include "engine/render/octahedral.glsl"
 
+uniform float screen_cell;  // metres: what is blended is open or solid by cells of this size
+
 in vec3 from_centre;
 #if TRACING
 layout(location = 0) out uvec2 plane;
@@ -18,7 +20,7 @@ void main() {
     // At grazing angles dot(n, p) vanishes: kept above what half a texel of any map can tell from 0.
 #if TRACING
     SurfaceMaterial m = evaluate_material();
-    if (material_cut_out(m.alpha)) discard;
+    if (material_open(m.alpha, screen_cell)) discard;
 #if CASTER
     bool numbered = scene.material < kNumberedMaterials;
     albedo = vec4(normalize(scene.normal), numbered ? float(scene.material + 1u) : 0.0);
@@ -30,7 +32,7 @@ void main() {
     float support = min(dot(v, from_centre), -1e-4 * distance_p * length(v));
     plane = uvec2(kept, floatBitsToUint(1.0 / support));
 #else
-    if (material_cut_out(material_base().a)) discard;
+    if (material_open(material_base().a, screen_cell)) discard;
     bool single_sided = (materials[scene.material].flags & kMaterialDoubleSided) == 0u;
     bool back = single_sided && dot(scene.normal, from_centre) > 0.1 * distance_p;
     float support = min(dot(n, from_centre), -1e-4 * distance_p);

@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/maps/map_renderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lanthorn::gi {
 
@@ -9,6 +10,12 @@ namespace {
 // Of the scene's diagonal or, in a larger world, of so many metres.
 constexpr float kNearPlane = 1e-5f;
 constexpr float kLarge = 32;
+// Openings of what is blended, of the same: some texels wide in maps that are near.
+constexpr float kScreenCell = 1.0f / 64;
+
+float power_of_two(float least) {
+    return std::exp2(std::ceil(std::log2(std::max(least, 1e-30f))));
+}
 
 }  // namespace
 
@@ -91,6 +98,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     glDisable(GL_BLEND);
     program_.use();
     program_.set("near_plane", kNearPlane * std::min(scene_diagonal, kLarge));
+    program_.set("screen_cell", power_of_two(kScreenCell * std::min(scene_diagonal, kLarge)));
     layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
     scene.draw_tagged(program_, list.runs_, render::Culling::none, list.indices_);
     glDisable(GL_DEPTH_TEST);

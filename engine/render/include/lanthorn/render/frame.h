@@ -37,6 +37,7 @@ struct LightInputs {
 struct FrameInputs : LightInputs {
     const GBuffer& gbuffer;
     CameraUniforms camera;
+    const GBuffer* blended = nullptr;  // the nearest blended surfaces before it; null: none is in view
 };
 
 // Textures of the G-buffer's size, owned by the technique; null where it gives none.
@@ -48,6 +49,9 @@ struct IndirectLight {
     // RGBA32F, nits: all that the picture shows, direct light and what is see-through included, in place of
     // what would be composed; a: 0 background, 1 lit, 2 unlit.
     const gpu::Texture* radiance = nullptr;
+    // RGBA32F, lux: on the surfaces of FrameInputs::blended. Without it what is blended is lit by what falls
+    // on what lies behind.
+    const gpu::Texture* blended_irradiance = nullptr;
     // RGBA32F, lux, straight from lamps: what direct light is made from where TracedLobes::lamps is true.
     const gpu::Texture* lamps = nullptr;
 };
@@ -149,6 +153,7 @@ class FrameRenderer {
     std::optional<CameraView> looked_;  // by the last upscale()
     IndirectLight indirect_;
 
+    void draw_blended_surfaces(const CameraUniforms& camera);
     CameraUniforms camera(const FrameScene& scene) const;
     CameraUniforms through_middles(const FrameScene& scene) const;
     bool upscales() const;

@@ -1,4 +1,5 @@
-// What the camera sees first, by pixel: geometry and material, for direct light, indirect light and AOVs.
+// What the camera sees first, by pixel: geometry and material, for direct light, indirect light and AOVs. Of
+// blended surfaces (alphaMode BLEND) that lie over it, a second one holds the nearest.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +16,17 @@ namespace lanthorn::render {
 
 class GBuffer {
   public:
-    explicit GBuffer(ivec2 size);
+    // `of`: the instances that it is to hold, DrawSet::solid or blend.
+    explicit GBuffer(ivec2 size, DrawSet of = DrawSet::solid);
 
     // Draws the opaque and masked instances that the camera sees, far figures by coarser triangles
     // (GpuScene::picture_level()).
-    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
+    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera) { draw(gpu_scene, camera, nullptr); }
+    // Draws the nearest of what is blended before `solid`, of the same size and camera; parts that are as
+    // good as clear are left out. For a G-buffer of DrawSet::blend.
+    void draw_before(const GBuffer& solid, const GpuScene& gpu_scene, const CameraUniforms& camera) {
+        draw(gpu_scene, camera, &solid);
+    }
     // Those that the last draw drew, in its order.
     std::span<const DrawnInstance> drawn() const { return drawn_; }
     int instances_drawn() const { return static_cast<int>(visible_.size()); }  // by the last draw
@@ -44,7 +51,10 @@ class GBuffer {
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
 
   private:
+    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera, const GBuffer* behind);
+
     ivec2 size_;
+    DrawSet of_;
     gpu::Texture distance_;
     gpu::Texture normals_;
     gpu::Texture albedo_;

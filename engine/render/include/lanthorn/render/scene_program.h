@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "lanthorn/gpu/program.h"
 
@@ -19,8 +21,9 @@ inline constexpr MaterialVariant kMaskedVariant = 1u << 8;
 class SceneProgram {
   public:
     // `fragment` includes material.glsl; it is built with TEXTURES (the variant's texture bits) and, where
-    // alone it needs to discard, with MASKED.
-    SceneProgram(std::filesystem::path vertex, std::filesystem::path fragment);
+    // alone it needs to discard, with MASKED; and with `defines`.
+    SceneProgram(std::filesystem::path vertex, std::filesystem::path fragment,
+                 std::vector<std::string> defines = {});
 
     // Builds those that are missing. Call before set() with what the scene has (GpuScene::variants()).
     void prepare(std::span<const MaterialVariant> variants);
@@ -38,6 +41,7 @@ class SceneProgram {
   private:
     std::filesystem::path vertex_;
     std::filesystem::path fragment_;
+    std::vector<std::string> defines_;
     std::map<MaterialVariant, gpu::Program> variants_;
 };
 
