@@ -11,6 +11,7 @@
 #include "game/presentation/headless.h"
 #include "game/presentation/options.h"
 #include "game/presentation/playthrough.h"
+#include "game/presentation/prepare.h"
 #include "game/presentation/quality.h"
 #include "game/presentation/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
@@ -42,6 +43,9 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
     const std::optional<game::Options> options = game::parse_options(argc, argv);
     if (!options) {
         return ExitCode::ok;
+    }
+    if (options->prepare) {
+        return game::run_prepare(*options, stop);
     }
     if (options->tour && (options->headless || !has_display())) {
         return game::run_tour(*options, stop);

@@ -123,5 +123,8 @@ fs::path config_file(std::string_view program, std::string_view name) {
 fs::path data_file(std::string_view program, std::string_view name) {
     return user_file("XDG_DATA_HOME", ".local/share", program, name);
 }
+fs::path cache_file(std::string_view program, std::string_view name) {
+    return user_file("XDG_CACHE_HOME", ".cache", program, name);
+}
 
 }  // namespace lanthorn::shell

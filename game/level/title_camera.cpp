@@ -16,12 +16,16 @@ constexpr const char* kShownFrom = "camera";
 
 }  // namespace
 
+ecs::Entity title_camera(ShownScene& level) {
+    const ecs::Entity shown = find_by_name(level.world(), kShownFrom);
+    return shown && level.world().has<CameraComponent>(shown) ? shown : level.camera();
+}
+
 void look_from_title(ShownScene& level, double seconds) {
     constexpr double kTurn = 0.12, kRise = 0.03;  // radians
     constexpr double kAside = 0.25;               // metres
     ecs::World& world = level.world();
-    const ecs::Entity shown = find_by_name(world, kShownFrom);
-    const ecs::Entity camera = shown && world.has<CameraComponent>(shown) ? shown : level.camera();
+    const ecs::Entity camera = title_camera(level);
     // Render space is known from the first frame on.
     if (!camera || level.frame().instances.empty()) {
         return;

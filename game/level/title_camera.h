@@ -5,8 +5,11 @@
 
 namespace lanthorn::game {
 
-// Instead of the player's eyes the level's node "camera", or without one the eyes, looking about a little;
-// `seconds` since it began. Call before a frame.
+// The level's node "camera", or without one the player's eyes.
+ecs::Entity title_camera(ShownScene& level);
+
+// Instead of the player's eyes the title_camera(), looking about a little; `seconds` since it began. Call
+// before a frame.
 void look_from_title(ShownScene& level, double seconds);
 void look_with_eyes(ShownScene& level);
 

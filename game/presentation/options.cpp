@@ -38,7 +38,9 @@ manual::PageText page_text() {
         {"LANTHORN_SHADERS", "Folder of shaders, instead of the installation's."},
         {"LIBGL_ALWAYS_SOFTWARE", "1 renders on the CPU, by Mesa's llvmpipe."}};
     text.files = {{"~/.config/lamplighter/", "Options and keys; below $XDG_CONFIG_HOME where that is set."},
-                  {"~/.local/share/lamplighter/", "Progress; below $XDG_DATA_HOME where that is set."}};
+                  {"~/.local/share/lamplighter/", "Progress; below $XDG_DATA_HOME where that is set."},
+                  {"~/.cache/lamplighter/programs",
+                   "Which levels are prepared (--prepare); below $XDG_CACHE_HOME where that is set."}};
     text.examples = {
         {"lamplighter --record evening.rec", "Play, and record the session:"},
         {"lamplighter --headless --replay evening.rec", "Check that it plays the same once more:"},
@@ -72,6 +74,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_flag("--tour", options.tour,
                  "all levels, or the one of --level, play themselves: in a window, or without a display and "
                  "--headless into --out: stills, tour.webp and index.html");
+    app.add_flag("--prepare", options.prepare,
+                 "have OpenGL compile what pictures of all levels need, or of the one of --level, into its "
+                 "cache, and end: no start waits for it");
     app.add_option("--frames", options.frames,
                    "pictures to make, headless; any number: between two steps they are interpolated")
         ->check(CLI::Range(1, 1'000'000));
@@ -121,6 +126,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     }
     if (options.tour && (!options.record.empty() || !options.replay.empty() || options.frames != 0)) {
         throw InputError("usage: --tour excludes --record, --replay and --frames");
+    }
+    if (options.prepare &&
+        (options.headless || options.tour || !options.record.empty() || !options.replay.empty())) {
+        throw InputError("usage: --prepare excludes --headless, --tour, --record and --replay");
     }
     if (!options.headless && !options.tour && (!options.out.empty() || options.frames != 0)) {
         throw InputError("usage: --out and --frames go with --headless");

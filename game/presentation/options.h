@@ -19,6 +19,7 @@ struct Options {
     std::string replay;
     bool headless = false;
     bool tour = false;          // every level plays itself
+    bool prepare = false;       // no picture is shown: what pictures need is compiled
     bool straight = false;      // into the level, without a title: it is named, recorded or replayed
     int frames = 0;             // pictures, headless; 0: 30, or one a step where there are fewer
     std::string out;            // folder for pictures; empty: none are made

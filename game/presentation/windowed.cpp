@@ -11,6 +11,7 @@
 #include "game/level/reveal.h"
 #include "game/level/title_camera.h"
 #include "game/presentation/campaign_flow.h"
+#include "game/presentation/first_light.h"
 #include "game/presentation/languages.h"
 #include "game/presentation/player_hands.h"
 #include "game/presentation/player_settings.h"
@@ -37,6 +38,9 @@ constexpr std::array kScreens = {"loading", "title",   "levels",   "play",     "
 static_assert(kScreens.size() == static_cast<std::size_t>(Screen::credits) + 1);
 constexpr int kSettles = 32;            // frames of a level that stands still until its picture is done
 constexpr double kStillSeconds = 0.03;  // that a frame of a page takes on which nothing moves
+// The same while another process needs the cores.
+constexpr int kSettlesEasily = 8;
+constexpr double kSparedSeconds = 0.1;
 
 // Without the files the window has the system's own.
 void show_icons(shell::Window& window) {
@@ -63,6 +67,9 @@ class GameWindow {
     void play();
     void reveal();
     void show();
+    void light();
+    bool behind_title();
+    shell::Spending spending();
     void show_level(Playthrough& level);
     void follow_time(Playthrough& level);
     void name_window();
@@ -77,6 +84,8 @@ class GameWindow {
     const Options& options_;
     Notices notices_;
     shell::Window window_;
+    FirstLight first_light_{options_, window_.info()};
+    bool lit_easily_ = false;  // by first_light_
     ui::Interface interface_{window_.context().handle(), say()};
     ui::LevelPictures pictures_;
     PlayerSettings settings_;
@@ -101,7 +110,7 @@ GameWindow::GameWindow(const Options& options)
       sound_(options.seed),
       flow_(options, notices_,
             {.announce = [this] { announce(); },
-             .spending = [this] { return window_.spending(); },
+             .spending = [this] { return spending(); },
              .input =
                  [this] {
                      if (!is_played(flow_.screens().at)) {
@@ -116,7 +125,7 @@ GameWindow::GameWindow(const Options& options)
       log_(kProgram, options.log) {
     sound_.set_volumes(settings_.preferences());
     show_icons(window_);
-    window_.on_spending([this](const shell::Spending& spending) { flow_.level().draw_as(spending); });
+    window_.on_spending([this](const shell::Spending&) { flow_.level().draw_as(spending()); });
     flow_.begin();
     window_.set_playing(is_played(flow_.screens().at));
 }
@@ -187,6 +196,39 @@ void GameWindow::reveal() {
     }
 }
 
+// Whether the title is what is shown, or leads back from it.
+bool GameWindow::behind_title() {
+    const Screens& screens = flow_.screens();
+    const bool aside = screens.at == Screen::levels || screens.at == Screen::options ||
+                       screens.at == Screen::controls || screens.at == Screen::credits;
+    return screens.at == Screen::title || (aside && screens.back == Screen::title);
+}
+
+shell::Spending GameWindow::spending() {
+    shell::Spending spending = window_.spending();
+    const LevelFile& level = flow_.level().file(flow_.screens().level);
+    lit_easily_ = first_light_.holds(level, spending.preset, behind_title());
+    if (lit_easily_) {
+        spending.set.emplace_back(first_light_.setting());
+    }
+    return spending;
+}
+
+// As it is to be lit now.
+void GameWindow::light() {
+    if (!lit_easily_) {
+        return;
+    }
+    const shell::Spending now = spending();
+    if (!lit_easily_) {
+        still_frames_ = 0;
+        if (is_played(flow_.screens().at)) {
+            announce();
+        }
+    }
+    flow_.level().draw_as(now);
+}
+
 // What depends on how long a frame takes, and on what the player has chosen of the picture.
 void GameWindow::follow_time(Playthrough& level) {
     constexpr double kAdapts = 0.4;      // seconds, in which an eye comes two thirds of the way
@@ -227,12 +269,11 @@ void GameWindow::show() {
 }
 
 void GameWindow::show_level(Playthrough& level) {
+    light();
     const Screens& screens = flow_.screens();
-    const bool aside = screens.at == Screen::levels || screens.at == Screen::options ||
-                       screens.at == Screen::controls || screens.at == Screen::credits;
-    const bool on_title = screens.at == Screen::title || (aside && screens.back == Screen::title);
-    title_seconds_ = on_title ? title_seconds_ + window_.seconds() : 0;
-    if (title_seconds_ > 0 && !settings_.preferences().less_motion) {
+    const bool on_title = behind_title();
+    title_seconds_ = on_title ? title_seconds_ + (lit_easily_ ? 0 : window_.seconds()) : 0;
+    if (on_title && !settings_.preferences().less_motion) {
         look_from_title(level.shown(), title_seconds_);
     } else if (reveal_.showing()) {
         reveal_.look(level.shown());
@@ -240,15 +281,21 @@ void GameWindow::show_level(Playthrough& level) {
         look_with_eyes(level.shown());
     }
     follow_time(level);
-    const bool moves = is_running(screens.at) || title_seconds_ > 0;
+    const bool moves = !lit_easily_ && (is_running(screens.at) || title_seconds_ > 0);
     still_frames_ = moves || window_.picture_size() != still_size_ ? 0 : still_frames_ + 1;
     still_size_ = window_.picture_size();
-    if (still_frames_ > kSettles) {
-        window_.draw_again(level.app());
-        window_.rest(kStillSeconds);
-    } else {
-        window_.draw(level.app(), is_running(screens.at) ? window_.seconds() : 0);
+    // Where nothing is placed before the first picture, that is of the camera itself.
+    const ecs::Entity eyes = level.shown().camera();
+    if (on_title && level.shown().frame().instances.empty()) {
+        level.app().view().camera = title_camera(level.shown());
     }
+    if (still_frames_ > (lit_easily_ ? kSettlesEasily : kSettles)) {
+        window_.draw_again(level.app());
+        window_.rest(lit_easily_ ? kSparedSeconds : kStillSeconds);
+    } else {
+        window_.draw(level.app(), moves && is_running(screens.at) ? window_.seconds() : 0);
+    }
+    level.app().view().camera = eyes;
 }
 
 ui::Model GameWindow::model() {
@@ -307,6 +354,7 @@ ExitCode GameWindow::run(const StopSignal& stop) {
         }
         if (frame > 0) {
             log();
+            first_light_.pass();
         }
         notices_.pass(window_.seconds());
         play();

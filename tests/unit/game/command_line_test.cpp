@@ -53,6 +53,18 @@ TEST(Play, RefusesWhatNeedsAWindowWithoutADisplay) {
     }
 }
 
+TEST(Lamplighter, PreparesOrPlays) {
+    for (const std::vector<std::string>& other :
+         {std::vector<std::string>{"--headless"}, {"--tour"}, {"--record", "w.rec"}, {"--replay", "w.rec"}}) {
+        std::vector<std::string> arguments = other;
+        arguments.emplace_back("--prepare");
+        const Outcome outcome = lamplighter(arguments);
+        EXPECT_EQ(outcome.code, 2) << other.front();
+        EXPECT_EQ(outcome.err,
+                  "lamplighter: usage: --prepare excludes --headless, --tour, --record and --replay\n");
+    }
+}
+
 TEST(Lamplighter, MoreThreadsThanCoresAreNoMatter) {
     const Outcome outcome = lamplighter({"--headless", "--threads", "1000"});
     EXPECT_EQ(outcome.code, 0);

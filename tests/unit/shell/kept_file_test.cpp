@@ -157,16 +157,21 @@ TEST(UserFiles, FollowTheEnvironment) {
     {
         const Environment config("XDG_CONFIG_HOME", "/elsewhere/config");
         const Environment data("XDG_DATA_HOME", "/elsewhere/data");
+        const Environment cache("XDG_CACHE_HOME", "/elsewhere/cache");
         EXPECT_EQ(config_file("lamp", "kept"), "/elsewhere/config/lamp/kept");
         EXPECT_EQ(data_file("lamp", "kept"), "/elsewhere/data/lamp/kept");
+        EXPECT_EQ(cache_file("lamp", "kept"), "/elsewhere/cache/lamp/kept");
     }
     const Environment config("XDG_CONFIG_HOME", "relative");
     const Environment data("XDG_DATA_HOME", nullptr);
+    const Environment cache("XDG_CACHE_HOME", nullptr);
     EXPECT_EQ(config_file("lamp", "kept"), "/home/ada/.config/lamp/kept");
     EXPECT_EQ(data_file("lamp", "kept"), "/home/ada/.local/share/lamp/kept");
+    EXPECT_EQ(cache_file("lamp", "kept"), "/home/ada/.cache/lamp/kept");
     const Environment nowhere("HOME", nullptr);
     EXPECT_TRUE(config_file("lamp", "kept").empty());
     EXPECT_TRUE(data_file("lamp", "kept").empty());
+    EXPECT_TRUE(cache_file("lamp", "kept").empty());
 }
 
 }  // namespace

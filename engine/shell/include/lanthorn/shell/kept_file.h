@@ -74,5 +74,7 @@ class KeptFile {
 std::filesystem::path config_file(std::string_view program, std::string_view name);
 // Likewise for what the program makes rather than what its user chose.
 std::filesystem::path data_file(std::string_view program, std::string_view name);
+// Likewise, below $XDG_CACHE_HOME or ~/.cache, for what costs nothing but time to make once more.
+std::filesystem::path cache_file(std::string_view program, std::string_view name);
 
 }  // namespace lanthorn::shell
