@@ -196,6 +196,10 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document) {
     return model;
 }
 
+bool has_extra(const ModelNode& node, const char* key) {
+    return !node.extras.empty() && parse_json(node.extras, "extras").contains(key);
+}
+
 const Light* light_of(const EditModel& model, std::uint32_t node) {
     const ModelNode* found = model.find(node);
     return found != nullptr && found->light < model.lights.size() ? model.lights[found->light].get()
