@@ -267,6 +267,28 @@ TEST(LightCosts, EachLightIsOutInItsTurnAndAllShineAgain) {
     EXPECT_EQ(costs.frames(), all);
 }
 
+// The clock is what a frame spins for: 8 ms more with the lamp. Processor time sees the same.
+TEST(LightCosts, SaysHowSureItIs) {
+    ecs::World world;
+    const ecs::Entity lamp = world.create();
+    world.insert(lamp, LightComponent{{}});
+    LightCosts costs(world, punctual_lamps(world),
+                     [&] {
+                         const double until =
+                             workbench::processor_ms() + (world.has<LightComponent>(lamp) ? 10 : 2);
+                         while (workbench::processor_ms() < until) {
+                         }
+                     },
+                     {1, 5});
+    while (costs.step()) {
+    }
+    ASSERT_EQ(costs.costs().size(), 1u);
+    const LightCosts::Cost& cost = costs.costs().front();
+    EXPECT_GT(cost.cpu_noise, 0);
+    EXPECT_NEAR(cost.cpu_ms, 8, 4 * cost.cpu_noise + 0.1);
+    EXPECT_LT(cost.cpu_noise, 4);
+}
+
 TEST(LightCosts, WithoutALightThereIsNothingToMeasure) {
     ecs::World world;
     LightCosts costs(world, all_lamps(world), [] { FAIL() << "no frame is drawn"; });
