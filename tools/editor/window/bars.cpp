@@ -253,7 +253,7 @@ void draw_toolbar(EditorState& state) {
     }
     ImGui::SameLine(0, 8 * u);
     // A small window with large text goes without: keys T and Y do the same.
-    if (ImGui::GetIO().DisplaySize.x > 700 * u) {
+    if (ImGui::GetIO().DisplaySize.x > 760 * u) {
         snapping(state);
     }
     ImGui::SameLine(0, 10 * u);
