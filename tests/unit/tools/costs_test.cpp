@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lanthorn/scene/asset_store.h"
+#include "lanthorn/workbench/frame_meter.h"
 #include "tools/lanthorn/measure/costs_report.h"
 #include "tools/workbench/measure/light_costs.h"
 
@@ -267,7 +268,7 @@ TEST(LightCosts, EachLightIsOutInItsTurnAndAllShineAgain) {
     EXPECT_EQ(costs.frames(), all);
 }
 
-// The clock is what a frame spins for: 8 ms more with the lamp. Processor time sees the same.
+// A frame spins for 8 ms of processor time more with the lamp than without it.
 TEST(LightCosts, SaysHowSureItIs) {
     ecs::World world;
     const ecs::Entity lamp = world.create();
