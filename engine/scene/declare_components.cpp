@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "engine/scene/clear_sky.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 
@@ -82,6 +83,12 @@ void declare_light(ecs::Registry& registry) {
         .component<SkyComponent>("sky", "light from far away all around, turned with its node",
                                  field("sky", &SkyComponent::sky).flat())
         .not_in_extras();
+    registry.component<ClearSky>("clear_sky",
+                                 "the sky of a clear day about the sun that its node's directional light is",
+                                 field("turbidity", &ClearSky::turbidity).range(2, 10).words("clear to hazy"),
+                                 field("intensity", &ClearSky::intensity)
+                                     .range(0, kMost)
+                                     .words("a factor; 1: as that day's beside its sun"));
     registry.structure(
         "camera_data", field("orthographic", &Camera::orthographic),
         field("y_fov", &Camera::y_fov).unit("rad").more_than(0, 3.1416).words("of a perspective camera"),

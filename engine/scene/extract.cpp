@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/core/finite.h"
+#include "engine/scene/clear_sky.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/described.h"
@@ -223,10 +225,42 @@ void Extractor::add_sky(FrameScene& frame, const ecs::World& world) {
                 frame.sky = SkyInstance{e.index, sky, mat3(glm::transpose(basis))};
             }
         });
+    if (!frame.sky) {
+        add_clear_sky(frame, world);
+    }
     const Backdrop* backdrop = world.try_resource<Backdrop>();
     if (!frame.sky && backdrop != nullptr && backdrop->sky.image) {
         frame.sky = SkyInstance{kNone, backdrop->sky, mat3(1)};
     }
+}
+
+void Extractor::add_clear_sky(FrameScene& frame, const ecs::World& world) {
+    world.query<Read<ClearSky>, Read<LightComponent>>().each([&](Entity e, const ClearSky& component,
+                                                                 const LightComponent&) {
+        const auto sun = std::ranges::lower_bound(frame.lights, e.index, {}, &LightInstance::id);
+        if (sun == frame.lights.end() || sun->id != e.index || sun->light.type != LightType::directional ||
+            !(sun->direction.y < 0) || (frame.sky && frame.sky->id < e.index)) {
+            return;
+        }
+        const vec3 to_sun = -sun->direction;
+        const float turbidity = std::clamp(component.turbidity, 2.0f, 10.0f);
+        const Light of_that_day = clear_sun(to_sun, turbidity);
+        const auto lux = [](const Light& light) {
+            return luminance(dvec3(light.colour)) * static_cast<double>(light.intensity);
+        };
+        Sky sky;
+        sky.intensity = component.intensity * static_cast<float>(lux(sun->light) / lux(of_that_day));
+        if (!(sky.intensity > 0) || !std::isfinite(sky.intensity)) {
+            return;
+        }
+        if (!clear_sky_ || clear_to_sun_ != to_sun || clear_turbidity_ != turbidity) {
+            clear_sky_ = std::make_shared<const SkyImage>(clear_sky(to_sun, turbidity));
+            clear_to_sun_ = to_sun;
+            clear_turbidity_ = turbidity;
+        }
+        sky.image = clear_sky_;
+        frame.sky = SkyInstance{e.index, std::move(sky), mat3(1)};
+    });
 }
 
 void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {

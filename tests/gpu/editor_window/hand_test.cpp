@@ -2,21 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/core/error.h"
+#include "tests/gpu/editor_window/hand.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/text_changes.h"
-#include "tools/editor/window/editor_state.h"
-#include "tools/editor/window/editor_window.h"
 
 namespace lanthorn::edit_window {
 namespace {
@@ -25,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLamp = "/lantern/lantern-light";
 
-class Hand : public testing::Test {
+class Hand : public WindowTest {
   protected:
     Hand() : Hand(false) {}
     explicit Hand(bool refines) {
@@ -56,27 +53,6 @@ class Hand : public testing::Test {
         };
         window_ = std::make_unique<EditorWindow>(std::move(options));
     }
-    // Turns of the editor's loop until that holds; false where it never does.
-    bool comes(const std::function<bool()>& holds) {
-        for (int turns = 0; turns < 1500; ++turns) {
-            if (holds()) {
-                return true;
-            }
-            window_->wake();
-            if (!window_->turn()) {
-                return false;
-            }
-        }
-        return false;
-    }
-    // The picture stands, and nothing is left to be drawn.
-    bool rests() {
-        return comes(
-            [&] { return state().picture.frames() > 0 && !state().pace.due() && window_->asleep(); });
-    }
-    static void hand(const std::string& commands) {
-        ASSERT_EQ(std::system(("timeout 60 xdotool " + commands + " >/dev/null").c_str()), 0) << commands;
-    }
     // Clicks from left to right, so many units below the drawer's upper edge, until that holds.
     bool click_along(float below, const std::function<bool()>& holds) {
         const Box box = state().layout.drawer;
@@ -92,21 +68,9 @@ class Hand : public testing::Test {
         }
         return false;
     }
-    const EditorState& state() const { return window_->state(); }
-    std::size_t steps() const { return state().session.steps().position(); }
-    vec2 lamp() const {
-        for (const auto& [name, at] : state().light_places) {
-            if (name == "lantern-light") {
-                return at;
-            }
-        }
-        return vec2(-1);
-    }
+    vec2 lamp() const { return icon("lantern-light"); }
     double height() const {
         return state().session.model().node(state().session.node_at(kLamp)).local.translation.y;
-    }
-    static std::string at(const vec2& p) {
-        return std::to_string(static_cast<int>(p.x)) + " " + std::to_string(static_cast<int>(p.y));
     }
     // Chooses the lamp and takes the arrow that points up.
     void take_the_lamp() {
@@ -115,14 +79,10 @@ class Hand : public testing::Test {
         ASSERT_TRUE(comes([&] { return state().chosen.size() == 1; }));
         ASSERT_EQ(state().session.path_of(state().chosen.front()), kLamp);
         ASSERT_TRUE(rests());
-        const vec2 arrow = lamp() - vec2(2, 55);
-        hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) + " mousemove " +
-             at(arrow - vec2(0, 24)));
+        drag_up(lamp());
     }
 
-    testing_tools::TemporaryFolder folder_;
     fs::path file_;
-    std::unique_ptr<EditorWindow> window_;
 };
 
 TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
@@ -331,9 +291,7 @@ TEST_F(PatientHand, SeesAStillPictureRefined) {
     hand("mousemove " + at(lamp()) + " click 1");
     ASSERT_TRUE(comes([&] { return state().chosen.size() == 1; }));
     EXPECT_TRUE(state().refinement.begun());
-    const vec2 arrow = lamp() - vec2(2, 55);
-    hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) + " mousemove " +
-         at(arrow - vec2(0, 24)));
+    drag_up(lamp());
     ASSERT_TRUE(comes([&] { return state().picture.facts().quality == Quality::drag; }));
     EXPECT_EQ(state().refinement.words(), "");
     hand("mouseup 1");

@@ -1,12 +1,15 @@
 // Saving: what was not edited keeps its bytes, and a file appears whole or not at all.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "lanthorn/core/error.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/repository.h"
+#include "tests/unit/editor/random_commands.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/core/node_value.h"
@@ -116,6 +119,27 @@ TEST_F(Save, ADeletedFileIsWrittenAgain) {
     EditSession again;
     again.open(folder.path("foreign.gltf"));
     EXPECT_EQ(node_value(again.model(), again.registry(), again.node_at("/lamp"), "translation"), "[1,3,0]");
+}
+
+// The game reads what is shown, to the last bit; some rotations would take turns with another one.
+TEST(WrittenRotation, IsReadAsItIs) {
+    const auto read = [](const quat& rotation) {
+        const auto number = [](float value) {
+            return std::strtod(fmt::format("{}", value).c_str(), nullptr);
+        };
+        const glm::dquat q(number(rotation.w), number(rotation.x), number(rotation.y), number(rotation.z));
+        return quat(q / glm::length(q));
+    };
+    const quat taking_turns(0.5137365f, 0.053189453f, -0.8517448f, 0.08818506f);
+    EXPECT_EQ(read(written_rotation(taking_turns)), written_rotation(taking_turns));
+    testing_tools::Dice dice(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto part = [&] { return static_cast<float>(dice.between(-1, 1)); };
+        const quat rotation = glm::normalize(quat(part(), part(), part(), part()));
+        const quat written = written_rotation(rotation);
+        ASSERT_EQ(read(written), written) << i;
+        ASSERT_LT(glm::length(written - rotation), 1e-6f);
+    }
 }
 
 TEST_F(Save, ARoomIsSavedAndOpened) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "engine/scene/clear_sky.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/transforms.h"
 #include "lanthorn/scene/view.h"
@@ -103,6 +104,33 @@ TEST_F(Extract, YieldsTheSkyTurnedWithItsNode) {
     ASSERT_EQ(extractor.warnings().size(), 1u);
     EXPECT_NE(extractor.warnings()[0].find("the sky's transform or strength is not finite"),
               std::string::npos);
+}
+
+TEST_F(Extract, AClearSkyStandsAboutItsSun) {
+    load(room());
+    const Entity sun = world.create(LocalTransform{}, WorldTransform{},
+                                    LightComponent{clear_sun(vec3(0, 1, 0))}, ClearSky{});
+    world.get_mut<LocalTransform>(sun).value.rotation =
+        glm::angleAxis(-kPi / 2, vec3(1, 0, 0));  // it shines down
+    world.get_mut<LightComponent>(sun).light.type = LightType::directional;
+    const FrameScene noon = extract();
+    ASSERT_TRUE(noon.sky);
+    EXPECT_EQ(noon.sky->id, sun.index);
+    EXPECT_NEAR(noon.sky->sky.intensity, 1, 1e-5);
+    EXPECT_EQ(extract().sky->sky.image, noon.sky->sky.image) << "made once";
+    // Half the sun and twice the factor, then a sun elsewhere, one that is off, and one below the horizon.
+    world.get_mut<LightComponent>(sun).light.intensity *= 0.5f;
+    world.get_mut<ClearSky>(sun).intensity = 4;
+    EXPECT_NEAR(extract().sky->sky.intensity, 2, 1e-5);
+    world.get_mut<LocalTransform>(sun).value.rotation = glm::angleAxis(-kPi / 4, vec3(1, 0, 0));
+    const FrameScene later = extract();
+    EXPECT_NE(later.sky->sky.image, noon.sky->sky.image);
+    EXPECT_TRUE(later.changes.lights);
+    world.get_mut<LightComponent>(sun).light.intensity = 0;
+    EXPECT_FALSE(extract().sky);
+    world.get_mut<LightComponent>(sun).light.intensity = 10;
+    world.get_mut<LocalTransform>(sun).value.rotation = glm::angleAxis(kPi / 4, vec3(1, 0, 0));
+    EXPECT_FALSE(extract().sky);
 }
 
 TEST_F(Extract, YieldsTheSceneInRenderSpace) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lanthorn/scene/asset_store.h"
+#include "lanthorn/workbench/frame_meter.h"
 #include "tools/lanthorn/measure/costs_report.h"
 #include "tools/workbench/measure/light_costs.h"
 
@@ -265,6 +266,28 @@ TEST(LightCosts, EachLightIsOutInItsTurnAndAllShineAgain) {
     EXPECT_EQ(costs.costs()[3].lamp.kind, reference::LightKind::sky);
     EXPECT_FALSE(costs.step());
     EXPECT_EQ(costs.frames(), all);
+}
+
+// A frame spins for 8 ms of processor time more with the lamp than without it.
+TEST(LightCosts, SaysHowSureItIs) {
+    ecs::World world;
+    const ecs::Entity lamp = world.create();
+    world.insert(lamp, LightComponent{{}});
+    LightCosts costs(world, punctual_lamps(world),
+                     [&] {
+                         const double until =
+                             workbench::processor_ms() + (world.has<LightComponent>(lamp) ? 10 : 2);
+                         while (workbench::processor_ms() < until) {
+                         }
+                     },
+                     {1, 5});
+    while (costs.step()) {
+    }
+    ASSERT_EQ(costs.costs().size(), 1u);
+    const LightCosts::Cost& cost = costs.costs().front();
+    EXPECT_GT(cost.cpu_noise, 0);
+    EXPECT_NEAR(cost.cpu_ms, 8, 4 * cost.cpu_noise + 0.1);
+    EXPECT_LT(cost.cpu_noise, 4);
 }
 
 TEST(LightCosts, WithoutALightThereIsNothingToMeasure) {

@@ -26,6 +26,13 @@ double written(float value) {
     return read;
 }
 
+// A rotation as a file gives it back.
+quat read_again(const quat& rotation) {
+    const glm::dquat q(written(rotation.w), written(rotation.x), written(rotation.y), written(rotation.z));
+    const double length = glm::length(q);
+    return length > 1e-12 ? quat(q / length) : quat(1, 0, 0, 0);
+}
+
 std::uint32_t index_at(const Json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_number() ? static_cast<std::uint32_t>(found->get<double>())
@@ -196,6 +203,10 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document) {
     return model;
 }
 
+bool has_extra(const ModelNode& node, const char* key) {
+    return !node.extras.empty() && parse_json(node.extras, "extras").contains(key);
+}
+
 const Light* light_of(const EditModel& model, std::uint32_t node) {
     const ModelNode* found = model.find(node);
     return found != nullptr && found->light < model.lights.size() ? model.lights[found->light].get()
@@ -205,16 +216,24 @@ const Light* light_of(const EditModel& model, std::uint32_t node) {
 quat written_rotation(const quat& rotation) {
     quat now = rotation;
     for (int i = 0; i < 16; ++i) {  // two or three suffice
-        const glm::dquat q(written(now.w), written(now.x), written(now.y), written(now.z));
-        const double length = glm::length(q);
-        if (!(length > 1e-12)) {
-            return quat(1, 0, 0, 0);
-        }
-        const quat next(q / length);
+        const quat next = read_again(now);
         if (next == now) {
-            break;
+            return now;
         }
         now = next;
+    }
+    // One in a few thousand becomes another one and that the first again: one a few last bits beside stays.
+    for (float size = 0x1p-24f; size < 0x1p-18f; size *= 2) {
+        for (int way = 0; way < 5 * 5 * 5 * 5; ++way) {
+            quat beside = now;
+            for (int part = 0, left = way; part < 4; ++part, left /= 5) {
+                beside[part] += static_cast<float>(left % 5 - 2) * size;
+            }
+            beside = read_again(beside);
+            if (read_again(beside) == beside) {
+                return beside;
+            }
+        }
     }
     return now;
 }

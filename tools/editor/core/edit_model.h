@@ -66,6 +66,9 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document);
 // The light and the value of a node that has them; null: it has none.
 const Light* light_of(const EditModel& model, std::uint32_t node);
 
+// Whether the node's extras have that member.
+bool has_extra(const ModelNode& node, const char* key);
+
 // The rotation as it is read again once it has been written to a file: unit length, and the same bits.
 quat written_rotation(const quat& rotation);
 

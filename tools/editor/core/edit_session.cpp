@@ -94,6 +94,7 @@ void EditSession::State::take(Loaded loaded, const fs::path& as) {
     notes = std::move(loaded.notes);
     selection.clear();
     decided_dark = !is_lit();
+    lent_to = suns();
     log = options.recovery.empty() ? RecoveryLog() : RecoveryLog(options.recovery, path, saved_hash);
     shown_again();
 }

@@ -121,8 +121,8 @@ class EditSession {
     // The lines as one step.
     void run(std::string_view text, std::span<const std::string> lines);
 
-    // The lent light becomes the file's own, as far as glTF holds it: a lent sky does not, its sun does.
-    // Throws InputError where nothing is lent. run("adopt") is the same.
+    // The lent light becomes the file's own, as one step: a sky as the clear_sky of its sun. Throws
+    // InputError where nothing is lent. run("adopt") is the same.
     void adopt();
 
     // A gesture: one step, however many previews. `text` is for the list of steps.

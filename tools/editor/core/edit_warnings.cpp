@@ -57,7 +57,13 @@ class Finder {
 
     void tell_guest() {
         if (!session_.guests().empty()) {
-            add("guest", "the file has no light of its own; one is lent, and is not saved", kNone, "adopt");
+            const bool has_sun = std::ranges::any_of(session_.model().in_order(), [&](std::uint32_t node) {
+                return light_of(session_.model(), node) != nullptr;
+            });
+            add("guest",
+                has_sun ? "the file has a sun and no sky; one is lent, and is not saved"
+                        : "the file has no light of its own; one is lent, and is not saved",
+                kNone, "adopt");
         }
     }
 

@@ -94,13 +94,18 @@ void EditWorld::load(SceneData scene, std::size_t own, EditModel& model, const w
     std::vector<std::uint64_t> hashes = mesh_hashes(scene);
     take_guests(scene, own);
     scene.nodes.resize(own);  // what is lent is no part of the file
-    AssetStore& store = asset_store(app_.world());
-    source_ = scene.source;
-    const SceneHandle handle = store.add(std::move(scene));
-    const AssetHold<SceneAsset> hold = store.hold(handle);
+    // A store of its own: in that of the scene before, materials may be as they were edited, and what draws
+    // in the order of slots would draw in another than the game.
+    AssetStore fresh;
+    std::string source = scene.source;
+    const SceneHandle handle = fresh.add(std::move(scene));
+    AssetHold<SceneAsset> hold = fresh.hold(handle);
     destroy_all();
+    source_ = std::move(source);
     scene_ = handle;
-    held_ = hold;
+    held_ = std::move(hold);
+    AssetStore& store = asset_store(app_.world());
+    store = std::move(fresh);
     animation_ = view.animation;
     made_roots_ = std::move(made_roots);
     made_below_ = std::move(made_below);

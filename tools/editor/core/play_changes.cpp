@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "engine/core/json.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/transforms.h"
@@ -18,14 +16,6 @@
 namespace lanthorn::editor {
 
 namespace {
-
-bool is_player(const ModelNode& node) {
-    if (node.extras.empty()) {
-        return false;
-    }
-    const nlohmann::json extras = parse_json(node.extras, "extras");
-    return extras.is_object() && extras.contains("player");
-}
 
 // Relative to the document's parent, both as they were then.
 std::optional<dmat4> local_in(const std::map<std::uint32_t, PlayedNode>& played, const EditModel& model,
@@ -114,7 +104,7 @@ std::vector<PlayChange> play_changes(const EditModel& model,
     std::vector<std::uint32_t> players;
     std::vector<PlayChange> changes;
     for (const std::uint32_t node : model.in_order()) {
-        if (is_player(model.node(node))) {
+        if (has_extra(model.node(node), "player")) {
             players.push_back(node);
         }
         const bool left_out =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/error.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/session_state.h"
@@ -11,6 +12,12 @@
 namespace lanthorn::editor {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kClearSky = "clear_sky";
+
+}  // namespace
 
 void EditSession::State::log_step(const EditStep& step) {
     log.append(log_block(step));
@@ -140,12 +147,25 @@ Rebased EditSession::recover(const fs::path& file) {
     return result;
 }
 
-// By a light or a sky that somebody has put there.
+// By a lamp or a sky that somebody has put there. Suns without a sky are lent one.
 bool EditSession::State::is_lit() const {
     const EditModel& model = history.model();
     bool found = world.has_sky();
     for (std::uint32_t i = 0; i < model.nodes.size() && !found; ++i) {
-        found = light_of(model, i) != nullptr && model.is_shown(i);
+        const Light* light = light_of(model, i);
+        found = light != nullptr && model.is_shown(i) &&
+                (light->type != LightType::directional || has_extra(model.node(i), kClearSky));
+    }
+    return found;
+}
+
+std::vector<EditSession::State::Sun> EditSession::State::suns() const {
+    const EditModel& model = history.model();
+    std::vector<Sun> found;
+    for (std::uint32_t i = 0; i < model.nodes.size(); ++i) {
+        if (light_of(model, i) != nullptr && model.is_shown(i)) {
+            found.push_back({i, *light_of(model, i), glm::dmat3(model.world_matrix(i))});
+        }
     }
     return found;
 }
@@ -162,9 +182,11 @@ void EditSession::State::lend_if_dark() {
         decided_dark = false;
         return;
     }
-    if (decided_dark) {
+    std::vector<Sun> now = suns();
+    if (decided_dark && now == lent_to) {
         return;
     }
+    lent_to = std::move(now);
     const Copy copy(history.document());  // what a program that opens it would lend
     const SceneData scene = workbench::load_scene(copy.file().string(), options.view);
     const std::size_t own = scene.file.nodes.size();
@@ -188,9 +210,12 @@ void EditSession::adopt() {
     State& s = *state_;
     s.check_no_gesture("adopt");
     std::vector<std::string> lines;
+    bool with_sky = false;
+    std::string sun;  // that the lent sky is about
     for (const EditWorld::Guest& guest : s.world.lent()) {
         if (guest.node.light == kNone) {
-            continue;  // a sky
+            with_sky = with_sky || guest.node.sky != kNone;
+            continue;
         }
         constexpr const char* kTypes[] = {"directional", "point", "spot"};
         const dvec3& at = guest.node.local.translation;
@@ -206,6 +231,17 @@ void EditSession::adopt() {
                                     number(colour.y), number(colour.z)));
         lines.push_back(fmt::format("rotate {} {} {} {} {}", word('/' + name), number(turn.x), number(turn.y),
                                     number(turn.z), number(turn.w)));
+        sun = '/' + name;
+    }
+    if (with_sky && sun.empty()) {
+        const std::vector<State::Sun> own = s.suns();
+        const auto brightest = std::ranges::max_element(own, {}, [](const State::Sun& each) {
+            return luminance(dvec3(each.light.colour)) * static_cast<double>(each.light.intensity);
+        });
+        sun = brightest == own.end() ? sun : path_of(brightest->node);
+    }
+    if (with_sky && !sun.empty()) {
+        lines.push_back(fmt::format("set {} {}.intensity 1", word(sun), kClearSky));
     }
     if (lines.empty()) {
         throw InputError("adopt: no light is lent to this scene");

@@ -44,6 +44,14 @@ struct EditSession::State {
     // Whether a light is lent follows the document, as it would in a program that opens it.
     void lend_if_dark();
     bool is_lit() const;
+    // A light of the file that is shown; of a file that is not lit they are directional.
+    struct Sun {
+        std::uint32_t node = 0;
+        Light light;
+        glm::dmat3 axes{1};  // of its node, to the world
+        bool operator==(const Sun&) const = default;
+    };
+    std::vector<Sun> suns() const;
 
     SessionOptions options;
     App app;
@@ -63,7 +71,8 @@ struct EditSession::State {
     std::vector<LeftCommand> left;
     std::size_t log_base = 0;   // the position that the log begins with
     bool lent = false;          // a light
-    bool decided_dark = false;  // whether a light is lent to this dark scene has been found out
+    bool decided_dark = false;  // what is lent to this dark scene has been found out, while it had these suns
+    std::vector<Sun> lent_to;
 
     std::vector<std::uint32_t> selection;
     std::uint64_t version = 1;

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "lanthorn/gi/technique.h"
 #include "tools/editor/window/panels.h"
@@ -42,28 +41,15 @@ void add_menu(EditorState& state) {
     const bool open = state.session.is_open();
     // Before the camera, where one looks.
     const workbench::CameraPose pose = state.session.pose();
-    const double yaw = glm::radians(pose.yaw), pitch = glm::radians(pose.pitch);
-    const dvec3 ahead(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
-    const dvec3 at = pose.at + 1.5 * ahead;
-    const auto add = [&](const char* name, const char* type) {
-        state.run(fmt::format("add {}", name),
-                  {fmt::format("add-light / {} {} {:.3f} {:.3f} {:.3f}", name, type, at.x, at.y, at.z)});
-        state.desk.act([&state](editor::EditSession& session) {
-            const auto& steps = session.steps();
-            if (steps.position() > 0 && !steps.steps()[steps.position() - 1].commands.empty()) {
-                session.select(steps.steps()[steps.position() - 1].commands.back().made);
-                state.reveal = session.selection().empty() ? kNone : session.selection().back();
-            }
-        });
-    };
+    const dvec3 at = pose.at + 1.5 * dvec3(transform_of(pose).rotation * vec3(0, 0, -1));
     if (ImGui::MenuItem("Lamp", nullptr, false, open)) {
-        add("lamp", "point");
+        state.places = "lamp";
     }
     if (ImGui::MenuItem("Spot", nullptr, false, open)) {
-        add("spot", "spot");
+        state.places = "spot";
     }
     if (ImGui::MenuItem("Sun", nullptr, false, open)) {
-        add("sun", "directional");
+        state.add_light("sun", "directional", at, glm::normalize(vec3(-0.4f, -1, -0.3f)));
     }
     if (ImGui::MenuItem("Empty node", nullptr, false, open)) {
         state.run("add node", {fmt::format("add-node / node {:.3f} {:.3f} {:.3f}", at.x, at.y, at.z)});
@@ -267,27 +253,31 @@ void draw_toolbar(EditorState& state) {
     }
     ImGui::SameLine(0, 8 * u);
     // A small window with large text goes without: keys T and Y do the same.
-    if (ImGui::GetIO().DisplaySize.x > 700 * u) {
+    if (ImGui::GetIO().DisplaySize.x > 760 * u) {
         snapping(state);
     }
     ImGui::SameLine(0, 10 * u);
     const bool wide = !state.layout.narrow;
-    combo("##view", state.picture.view(), (wide ? 92 : 74) * u, "what is shown (Alt+1 to 9)",
+    combo("##view", state.picture.view(), (wide ? 92 : 82) * u, "what is shown (Alt+1 to 9)",
           [&] { view_menu(state); });
-    const bool held = state.exposure_locked;
+    // A small window with large text goes without: key L does the same.
+    const bool roomy = ImGui::GetIO().DisplaySize.x > 620 * u;
+    const bool held = state.exposure_locked && roomy;
     if (held) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour::warning);
     }
-    if (ImGui::Button(held ? fmt::format("EV {:.1f} held", state.locked_ev).c_str() : "EV auto")) {
+    if (roomy && ImGui::Button(held ? fmt::format("EV {:.1f} held", state.locked_ev).c_str() : "EV auto")) {
         state.act(Act::lock_exposure);
     }
     if (held) {
         ImGui::PopStyleColor();
     }
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("holds the exposure, here alone (L)");
+    if (roomy) {
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("holds the exposure, here alone (L)");
+        }
+        ImGui::SameLine();
     }
-    ImGui::SameLine();
     if (ImGui::Button(state.playing ? "playing" : "> Play")) {
         state.act(Act::play);
     }
@@ -398,7 +388,8 @@ void draw_status(EditorState& state, double now) {
         field(state.reloaded, colour::faint, "");
     }
     const char* hint =
-        state.chosen.empty()
+        !state.places.empty() ? "click a surface: the light comes 0.3 m before it \u00b7 Esc: none"
+        : state.chosen.empty()
             ? "click: choose \u00b7 middle: orbit \u00b7 right + WASD: fly \u00b7 F: look at \u00b7 F1: keys"
             : "drag a handle \u00b7 Ctrl: snap \u00b7 digits: typed \u00b7 Esc: back \u00b7 F1: keys";
     field(hint, colour::faint, "");

@@ -2,9 +2,13 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/gtx/quaternion.hpp>
 #include <utility>
+
+#include "tools/editor/window/lines.h"
 
 namespace lanthorn::edit_window {
 
@@ -59,6 +63,36 @@ void EditorState::read() {
 void EditorState::run(const std::string& text, std::vector<std::string> lines) {
     problem.clear();
     desk.run(text, std::move(lines));
+    pace.changed(glfwGetTime(), false);
+}
+
+void EditorState::add_light(const std::string& name, std::string_view type, const dvec3& at,
+                            const vec3& shines) {
+    problem.clear();
+    desk.act([this, name, type = std::string(type), at, shines](editor::EditSession& edited) {
+        const bool was_lent = !edited.guests().empty();
+        std::vector<std::string> lines = {
+            fmt::format("add-light / {} {} {:.4f} {:.4f} {:.4f}", name, type, at.x, at.y, at.z)};
+        edited.begin(fmt::format("add {}", name));
+        try {
+            edited.preview(lines);
+            if (type != "point") {
+                const std::uint32_t made = edited.model().roots.back();
+                lines.push_back(turn_line(edited.path_of(made), glm::rotation(vec3(0, 0, -1), shines)));
+                edited.preview(lines);
+            }
+            edited.commit();
+        } catch (...) {
+            edited.cancel();
+            throw;
+        }
+        edited.select({edited.model().roots.back()});
+        reveal = edited.selection().back();
+        if (was_lent && edited.guests().empty()) {
+            toast = "the file has a light of its own now: the lent one is off, as in the game";
+            toast_until = 1e18;
+        }
+    });
     pace.changed(glfwGetTime(), false);
 }
 

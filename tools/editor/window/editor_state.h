@@ -52,8 +52,9 @@ struct KeptPicture {
 // What a light gives to this view and costs in a frame of it.
 struct LightGain {
     double share = 0;          // 0..1 of all light that falls on what is seen
-    std::optional<double> ms;  // not measured yet
-    double ms_noise = 0;
+    std::optional<double> ms;  // processor time where the CPU draws; none: not measured yet
+    double ms_noise = 0;       // its standard error
+    bool tells() const { return ms && *ms > 2 * ms_noise; }
 };
 
 // What was drawn and how long it took, for the status bar and for tests.
@@ -99,6 +100,8 @@ struct EditorState {
     bool views_changed = false;      // and are to be written
     std::string views_file() const;  // what they are kept by: the whole path of the scene
     Tool tool = Tool::move;
+    // "lamp" or "spot": the next click in the picture puts one before the surface there; empty: none.
+    std::string places;
     bool local_axes = false, snap_latched = false, helpers = true;
     SnapSteps steps;
     std::optional<double> lux_under_pointer;
@@ -168,6 +171,9 @@ struct EditorState {
     void read();
     // A step of one line or more, and the picture follows.
     void run(const std::string& text, std::vector<std::string> lines);
+    // A light of that name and type (point, spot, directional), which is chosen then; a spot or sun shines
+    // that way.
+    void add_light(const std::string& name, std::string_view type, const dvec3& at, const vec3& shines);
     void preview(const std::string& text, std::vector<std::string> lines);
     void finish(bool keep);
     // As a row's hand says: previews, commits or cancels.

@@ -92,11 +92,16 @@ void gain_cells(const EditorState& state, const LightRow& row) {
     const bool old =
         state.costs_version != state.session.version() || !(state.costs_pose == state.session.pose());
     const bool timed = found != state.gains.end() && found->second.ms;
-    cell(timed ? fmt::format("{:.1f}", *found->second.ms) : "?", timed && old,
-         timed ? colour::words : colour::faint,
-         timed ? fmt::format("{:.1f} +- {:.1f} ms of a frame of this view", *found->second.ms,
-                             found->second.ms_noise)
-               : std::string("measured when the hand rests"));
+    const bool tells = timed && found->second.tells();
+    const double noise = timed ? found->second.ms_noise : 0;
+    cell(tells   ? fmt::format("{:.1f}", *found->second.ms)
+         : timed ? "-"
+                 : "?",
+         timed && old, tells ? colour::words : colour::faint,
+         tells   ? fmt::format("{:.1f} +- {:.1f} ms of a frame of this view", *found->second.ms, noise)
+         : timed ? fmt::format("less than {:.1f} ms of a frame of this view: within the noise of measuring",
+                               std::max(*found->second.ms, 0.0) + 2 * noise)
+                 : std::string("measured when the hand rests"));
     const bool given = found != state.gains.end();
     const double share = given ? found->second.share : 0;
     const bool little = given && share < workbench::kWorthHaving;
@@ -116,13 +121,16 @@ void draw_lights_table(EditorState& state) {
         ImGui::TextDisabled("No light in this file. Add > Lamp puts one in.");
         return;
     }
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
-                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp;
-    if (!ImGui::BeginTable("lights", 10, kFlags)) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable |
+                                       ImGuiTableFlags_SizingStretchProp;
+    // Whole numbers in every column: a narrow drawer is scrolled.
+    const float inner = std::max(ImGui::GetContentRegionAvail().x, 640 * state.unit);
+    if (!ImGui::BeginTable("lights", 10, kFlags, {0, 0}, inner)) {
         return;
     }
     const float size = ImGui::GetFrameHeight();
-    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupScrollFreeze(2, 1);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 2 * size + 4);
     ImGui::TableSetupColumn("name", 0, 2.2f);
     ImGui::TableSetupColumn("cd", 0, 1.2f);

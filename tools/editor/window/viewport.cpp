@@ -60,6 +60,10 @@ void Viewport::press(const Happening& h) {
         divides_ = true;
         return;
     }
+    if (!state_.places.empty()) {
+        place_light(h.at);
+        return;
+    }
     if (state_.wishes.placing) {
         begin_wish(h.at);
         return;

@@ -94,6 +94,8 @@ class Viewport {
     void draw_why_ways();
     // viewport_wishes.cpp
     std::optional<Picked> surface_at(const vec2& pixel);
+    // viewport_pick.cpp: what EditorState::places asks for.
+    void place_light(const vec2& pixel);
     void begin_wish(const vec2& pixel);
     void widen_wish(const vec2& pixel);
     void end_wish();

@@ -175,7 +175,8 @@ void Viewport::draw_icons() {
             list.AddLine({at->x - r, at->y - r}, {at->x + r, at->y + r}, colour::bad, 2);
         }
         if (chosen) {
-            outlined(list, *at + vec2(r + 4, -r - 2), colour::words, light.name);
+            // Below the handles, which would strike it through.
+            outlined(list, *at + vec2(r + 4, 1.5f * r), colour::words, light.name);
         }
     }
 }
@@ -248,7 +249,8 @@ void Viewport::draw_scale_bar() {
     const dvec3 there = eye_.eye() + std::max(distance_, 0.01) * eye_.ahead();
     const double metre = eye_.pixels_a_metre(there);
     double length = 1;
-    while (metre * length > 260 * static_cast<double>(u) && length > 1e-3) {
+    const double longest = std::min(260 * static_cast<double>(u), 0.4 * static_cast<double>(box.width));
+    while (metre * length > longest && length > 1e-3) {
         length /= 10;
     }
     while (metre * length < 16 * static_cast<double>(u) && length < 1e5) {
@@ -275,10 +277,6 @@ void Viewport::draw_lux() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     const float u = state_.unit;
-    const auto at_right = [&](float y, ImU32 shade, const std::string& words) {
-        const float width = ImGui::CalcTextSize(words.c_str()).x;
-        outlined(list, {box.x + box.width - width - 8 * u, y}, shade, words);
-    };
     if (state_.picture.view() == "lux" && state_.picture.scale() > 0) {
         const vec2 from(box.x + box.width - 24 * u, box.y + 34 * u);
         const float height = 120 * u;
@@ -307,8 +305,10 @@ void Viewport::draw_lux() {
     const float lux = lux_.at(x, y, 0);
     if (lux > 0) {
         state_.lux_under_pointer = static_cast<double>(lux);
-        at_right(box.y + box.height - 22 * u, colour::words,
-                 shown_number(static_cast<double>(lux), 3) + " lx");
+        const std::string words = shown_number(static_cast<double>(lux), 3) + " lx";
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+        chip(list, {box.x + box.width - size.x - 12 * u, box.y + box.height - size.y - 8 * u}, 3 * u,
+             colour::words, words);
     }
 }
 

@@ -1,5 +1,6 @@
 // What lies under the pointer and in the frame that it draws.
 #include <algorithm>
+#include <utility>
 
 #include "lanthorn/scene/components.h"
 #include "tools/editor/window/lines.h"
@@ -12,7 +13,9 @@ using editor::EditSession;
 
 namespace {
 
-constexpr double kIcon = 12;  // units: half of a light icon's target
+constexpr double kIcon = 12;        // units: half of a light icon's target
+constexpr double kBefore = 0.3;     // metres from a surface to the light that is put there
+constexpr double kInTheOpen = 1.5;  // metres from the eye, where no surface is
 
 }  // namespace
 
@@ -43,6 +46,16 @@ std::vector<std::uint32_t> Viewport::under(const vec2& pixel) {
         }
     }
     return found;
+}
+
+void Viewport::place_light(const vec2& pixel) {
+    const std::string name = std::exchange(state_.places, {});
+    const PickRay ray = eye_.ray(pixel);
+    const std::optional<Picked> hit = surface_at(pixel);
+    const dvec3 at =
+        hit ? hit->position + kBefore * hit->normal : ray.origin + kInTheOpen * glm::normalize(ray.direction);
+    state_.add_light(name, name == "spot" ? "spot" : "point", at,
+                     hit ? vec3(hit->normal) : glm::normalize(vec3(ray.direction)));
 }
 
 void Viewport::click(const vec2& pixel, bool add) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tools/editor/window/panels.h"
 #include "tools/workbench/measure/light_words.h"
@@ -22,6 +23,7 @@ using workbench::straight_words;
 namespace {
 
 constexpr double kWorthSaying = 0.002;  // share of the sum
+constexpr double kHardly = 0.02;        // of it: reflections that are told as one
 constexpr int kMostHidden = 4, kMostSurfaces = 6;
 
 double whole(const LightSplit& split) {
@@ -41,6 +43,12 @@ std::string heading(const WhyShown& why) {
         }
     }
     for (std::size_t n = 0; n < reflected.size(); ++n) {
+        const double rest =
+            std::accumulate(reflected.begin() + static_cast<std::ptrdiff_t>(n), reflected.end(), 0.0);
+        if (n > 1 && rest < kHardly * whole(split)) {
+            words += ", more often " + lux_text(rest);
+            break;
+        }
         words += fmt::format(", {} {}",
                              n == 0   ? "reflected once"
                              : n == 1 ? "twice"

@@ -113,6 +113,8 @@ bool EditorWindow::State::act_on_scene(Act what) {
                 e.fields.let_go();
             } else if (e.desk.gesture() || viewport->gesture()) {
                 viewport->cancel();
+            } else if (!e.places.empty()) {
+                e.places.clear();
             } else if (e.wishes.placing) {
                 viewport->drop_wish();
                 e.wishes.placing = false;

@@ -55,6 +55,7 @@ void EditorWindow::State::scene_opened() {
     editor->never_mind.clear();
     editor->why.reset();
     editor->wishes = {};
+    editor->places.clear();
     editor->played.clear();
     why_light.forget();
     editor->error.reset();

@@ -1,6 +1,7 @@
 // The panels of the window: where they lie and how they are drawn.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "tools/editor/window/panels.h"
@@ -109,15 +110,24 @@ void EditorWindow::State::make_panels() {
         [&] {
             const bool was_open = e.splits.drawer_open;
             // Tabs of buttons: ImGui's would take the room of a closed drawer.
-            const std::string names[] = {fmt::format("Lights {}", e.lights.size()),
-                                         fmt::format("Warnings {}", e.warnings.size()),
-                                         "Why",
-                                         e.wishes.rows.empty()
-                                             ? std::string("Wishes")
-                                             : fmt::format("Wishes {}", e.wishes.rows.size()),
-                                         "Settings",
-                                         fmt::format("Played {}", e.played.size())};
-            for (int i = kLightsTab; i <= (e.played.empty() ? kSettingsTab : kPlayedTab); ++i) {
+            std::string names[] = {fmt::format("Lights {}", e.lights.size()),
+                                   fmt::format("Warnings {}", e.warnings.size()),
+                                   "Why",
+                                   e.wishes.rows.empty() ? std::string("Wishes")
+                                                         : fmt::format("Wishes {}", e.wishes.rows.size()),
+                                   "Settings",
+                                   fmt::format("Played {}", e.played.size())};
+            const int last = e.played.empty() ? kSettingsTab : kPlayedTab;
+            float wide = 0;
+            for (int i = kLightsTab; i <= last; ++i) {
+                wide +=
+                    ImGui::CalcTextSize(names[i].c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + 2 * u;
+            }
+            if (wide > ImGui::GetContentRegionAvail().x) {  // large text: words alone, and short ones
+                constexpr const char* kShort[] = {"Lights", "Warn", "Why", "Wish", "Set", "Played"};
+                std::ranges::copy(kShort, names);
+            }
+            for (int i = kLightsTab; i <= last; ++i) {
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {

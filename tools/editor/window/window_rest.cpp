@@ -121,8 +121,10 @@ void EditorWindow::State::measure_costs(ivec2 size) {
         window.context().make_current();
         for (const workbench::LightCosts::Cost& cost : costs->costs()) {
             if (const std::uint32_t node = node_with(cost.lamp.entities.front().index); node != kNone) {
-                e.gains[node].ms = cost.ms;
-                e.gains[node].ms_noise = cost.noise;
+                // Other programs make the clock of a CPU's frames say nothing.
+                const bool software = window.info().software;
+                e.gains[node].ms = software ? cost.cpu_ms : cost.ms;
+                e.gains[node].ms_noise = software ? cost.cpu_noise : cost.noise;
             }
         }
         if (!goes_on) {

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "engine/core/json.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/game_program.h"
 #include "tools/lanthorn/common/workbench.h"
@@ -20,14 +17,9 @@ using editor::ModelNode;
 constexpr double kEyes = 1.62;  // metres above the ground, of a player that is made
 constexpr const char* kRecording = "played.rec";
 
-nlohmann::json extras_of(const ModelNode& node) {
-    return node.extras.empty() ? nlohmann::json::object() : parse_json(node.extras, "extras");
-}
-
 std::uint32_t node_with(const EditModel& model, const char* component) {
     for (const std::uint32_t node : model.in_order()) {
-        const nlohmann::json extras = extras_of(model.node(node));
-        if (extras.is_object() && extras.contains(component)) {
+        if (has_extra(model.node(node), component)) {
             return node;
         }
     }
@@ -42,8 +34,8 @@ dmat4 above(const EditModel& model, std::uint32_t node) {
 
 void make_player(GltfDocument& document, const EditModel& model, const Transform& look) {
     for (const std::uint32_t node : model.in_order()) {
-        const nlohmann::json extras = extras_of(model.node(node));
-        if (model.node(node).mesh != kNone && !extras.contains("collider") && !extras.contains("body")) {
+        const ModelNode& found = model.node(node);
+        if (found.mesh != kNone && !has_extra(found, "collider") && !has_extra(found, "body")) {
             document.set_extra(node, "collider", R"({"shape":"mesh"})");
         }
     }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/core/json.h"
 #include "engine/runtime/chosen_camera.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/sampling.h"
@@ -33,13 +35,19 @@ bool is_lit_on_purpose(const SceneData& scene) {
                                [](const NodeData& node) { return node.light != kNone || node.sky != kNone; });
 }
 
-// Whether all that shines is suns.
+// Says what sky it stands in, if it is a sun (ClearSky).
+bool has_sky_of_its_own(const NodeData& node) {
+    return !node.extras.empty() && parse_json(node.extras, "extras").contains("clear_sky");
+}
+
+// Whether all that shines is suns without a sky.
 bool has_suns_alone(const SceneData& scene) {
     bool any = false, others = false;
     for (const NodeData& node : scene.nodes) {
         const bool sun = node.light != kNone && scene.lights[node.light].type == LightType::directional;
         any = any || sun;
-        others = others || node.sky != kNone || (node.light != kNone && !sun);
+        others =
+            others || node.sky != kNone || (node.light != kNone && !sun) || (sun && has_sky_of_its_own(node));
     }
     return any && !others;
 }

@@ -70,6 +70,16 @@ Sky& sky_of(ecs::World& world, const Lamp& lamp) {
                                  : world.get_mut<SkyComponent>(lamp.entities.front()).sky;
 }
 
+// Of the median of normally distributed values, whose spread is read from their median distance to it.
+double median_error(const std::vector<double>& values) {
+    std::vector<double> away = values;
+    const double middle = median(values);
+    for (double& value : away) {
+        value = std::abs(value - middle);
+    }
+    return 1.2533 * 1.4826 * median(std::move(away)) / std::sqrt(static_cast<double>(values.size()));
+}
+
 }  // namespace
 
 std::vector<Lamp> punctual_lamps(const ecs::World& world) {
@@ -144,6 +154,8 @@ bool LightCosts::step() {
     if (in_round_ < each_.settling + each_.timed) {
         return true;
     }
+    errors_.ms.push_back(median_error(timed_.ms));
+    errors_.cpu_ms.push_back(median_error(timed_.cpu_ms));
     medians_.ms.push_back(median(std::exchange(timed_.ms, {})));
     medians_.cpu_ms.push_back(median(std::exchange(timed_.cpu_ms, {})));
     in_round_ = 0;
@@ -153,11 +165,12 @@ bool LightCosts::step() {
         const auto saved = [&](const std::vector<double>& by_round) {
             return 0.5 * (by_round[round_ - 2] + by_round[round_]) - by_round[round_ - 1];
         };
-        const auto noise = [&](const std::vector<double>& by_round) {
-            return std::abs(by_round[round_ - 2] - by_round[round_]);
+        const auto noise = [&](const std::vector<double>& by_round, const std::vector<double>& error) {
+            return std::hypot(0.5 * (by_round[round_ - 2] - by_round[round_]), error[round_ - 1],
+                              0.5 * std::hypot(error[round_ - 2], error[round_]));
         };
         costs_.push_back({lamps_[round_ / 2 - 1], saved(medians_.ms), saved(medians_.cpu_ms),
-                          noise(medians_.ms), noise(medians_.cpu_ms)});
+                          noise(medians_.ms, errors_.ms), noise(medians_.cpu_ms, errors_.cpu_ms)});
     }
     return ++round_ < rounds(lamps_.size());
 }

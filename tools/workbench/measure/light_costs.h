@@ -46,7 +46,9 @@ class LightCosts {
         // Medians of frames with all lamps, before and after, less that without it: by the clock, and of
         // processor time.
         double ms = 0, cpu_ms = 0;
-        double noise = 0, cpu_noise = 0;  // by how the frames with all lamps differ
+        // Standard errors: of the three medians, by their frames' spread, and half of what the frames with
+        // all lamps have drifted by.
+        double noise = 0, cpu_noise = 0;
     };
     const std::vector<Cost>& costs() const { return costs_; }  // so far
     int frames() const { return frames_; }                     // drawn so far
@@ -74,7 +76,7 @@ class LightCosts {
     struct Times {
         std::vector<double> ms, cpu_ms;
     };
-    Times timed_, medians_;  // of this round's frames; by round
+    Times timed_, medians_, errors_;  // of this round's frames; by round, with their standard errors
     std::vector<Cost> costs_;
     int frames_ = 0;
 };

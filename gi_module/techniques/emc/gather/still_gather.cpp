@@ -176,9 +176,12 @@ const gpu::Buffer& StillGather::shoot(const render::FrameInputs& inputs, const R
         own.nearness = &lit.nearness();
     }
     hits_.shoot(points_, own, nullptr, pass);
+    gpu::PassEnd::tell();
     if (own.exact != nullptr) {
         hits_.collect(own);
+        gpu::PassEnd::tell();
         lit.light_close(inputs, own.maps, own.settings, close_, bad_values);
+        gpu::PassEnd::tell();
     }
     return hits_.shade(points_, lit.radiosity());
 }

@@ -1,8 +1,11 @@
 #include "gi_module/techniques/emc/maps/layered_maps.h"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <utility>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
@@ -13,6 +16,8 @@ namespace {
 // drawn as they always were.
 constexpr std::size_t kManyATexel = 8;
 constexpr std::uint32_t kFew = 64;  // of so few triangles an instance is drawn whole
+// Between two answers to a window's user, about 40 ms on llvmpipe: faces that rays look at, and triangles.
+constexpr std::size_t kFacesAtOnce = 32, kTrianglesAtOnce = 40'000;
 
 }  // namespace
 
@@ -123,7 +128,12 @@ LayerList LayeredMaps::seen_alone(const FrameScene& scene, const render::GpuScen
     const auto many = [&](std::uint32_t instance) {
         return stands[instance] != 0 && gpu_scene.triangle_count(instance, 0) >= kFew;
     };
-    const std::vector<std::vector<SeenTriangle>> seen = sight.see(faces, stands);
+    std::vector<std::vector<SeenTriangle>> seen;
+    for (std::size_t f = 0; f < faces.size(); f += kFacesAtOnce) {
+        const auto some = std::span(faces).subspan(f, std::min(kFacesAtOnce, faces.size() - f));
+        std::ranges::move(sight.see(some, stands), std::back_inserter(seen));
+        gpu::PassEnd::tell();
+    }
     std::erase_if(drawings, [&](const Drawing& d) { return d.work->redraw && many(d.instance); });
 
     struct Run {
@@ -175,22 +185,35 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
     if (sight != nullptr && triangles > kManyATexel * texels) {
         seen = seen_alone(scene, gpu_scene, *sight, motion, work, all);
     }
-    LayerList still;
-    LayerList movers;
-    for (const Drawing& d : all) {
-        (d.moving ? movers : still).add(d.instance, d.level, d.work->centre, d.work->layer);
-    }
     for (const Work& w : work) {
         if (w.redraw) {
             still_.clear(w.layer);
         }
     }
     renderer_.draw(still_, gpu_scene, seen, scene.diagonal());
-    renderer_.draw(still_, gpu_scene, still, scene.diagonal());
+    const auto draw = [&](const CubeMaps& maps, bool moving) {
+        LayerList list;
+        std::size_t drawn = 0;
+        for (const Drawing& d : all) {
+            if (d.moving != moving) {
+                continue;
+            }
+            list.add(d.instance, d.level, d.work->centre, d.work->layer);
+            drawn += gpu_scene.triangle_count(d.instance, d.level);
+            if (drawn >= kTrianglesAtOnce) {
+                renderer_.draw(maps, gpu_scene, list, scene.diagonal());
+                list.clear();
+                drawn = 0;
+                gpu::PassEnd::tell();
+            }
+        }
+        renderer_.draw(maps, gpu_scene, list, scene.diagonal());
+    };
+    draw(still_, false);
     for (const Work& w : work) {
         maps_.copy(w.layer, still_);
     }
-    renderer_.draw(maps_, gpu_scene, movers, scene.diagonal());
+    draw(maps_, true);
     faces_touched_ = static_cast<int>(work.size());
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/gpu/pass_end.h"
 #include "gi_module/shared/plan_rules.h"
 #include "gi_module/techniques/emc/maps/candidates.h"
 #include "gi_module/techniques/emc/maps/progressive_update.h"
@@ -56,6 +57,7 @@ void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuSce
         meter_.place(points);
         meter_.draw(scene, gpu_scene, range(wanted));
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
+        gpu::PassEnd::tell();
         for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
             (open(seen[i]) ? candidates_ : in_solids).push_back(points[i]);
         }
@@ -78,6 +80,7 @@ void MapCentres::draw_candidates(const FrameScene& scene, const render::GpuScene
     const int shares = ProgressiveUpdate::shares(settings.of<EmcSettings>().update_interval);
     for (int share = 0; share < shares; ++share) {
         meter_.draw(scene, gpu_scene, share_of(share, shares, settings), share);
+        gpu::PassEnd::tell();
     }
 }
 
@@ -104,7 +107,9 @@ std::vector<vec3> MapCentres::selected_centres() const {
 
 MeasureCoverage MapCentres::open_area() {
     return [this](const std::vector<int>& viewers, const std::vector<int>& selected) {
-        return usable_areas(meter_.measure(viewers, selected), viewers);
+        std::vector<double> areas = usable_areas(meter_.measure(viewers, selected), viewers);
+        gpu::PassEnd::tell();
+        return areas;
     };
 }
 
@@ -220,6 +225,7 @@ void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_sce
         near_.forget();
         choose_candidates(scene, gpu_scene, settings);
         choose_maps(settings);
+        gpu::PassEnd::tell();
         near_.find(scene, bulk_, selected_centres(), settings.seed);
         if (many_rooms()) {
             candidates_.clear();

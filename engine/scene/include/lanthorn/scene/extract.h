@@ -1,6 +1,7 @@
 // From the world to the FrameScene: the one place where the renderer's view of things is taken.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,7 @@ class Extractor {
     void add_instances(FrameScene& frame, const ecs::World& world);
     void add_lights(FrameScene& frame, const ecs::World& world);
     void add_sky(FrameScene& frame, const ecs::World& world);
+    void add_clear_sky(FrameScene& frame, const ecs::World& world);
     void add_sensors(FrameScene& frame, const ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
@@ -76,6 +78,10 @@ class Extractor {
     dvec3 origin_{0};
     bool have_origin_ = false;
     std::vector<std::string> warnings_;
+    // The newest clear day that a ClearSky asked for.
+    std::shared_ptr<const SkyImage> clear_sky_;
+    vec3 clear_to_sun_{0};
+    float clear_turbidity_ = 0;
 
     // Of this extraction, kept for their memory.
     std::vector<Source> sources_;
