@@ -55,11 +55,11 @@ TEST_F(TradeMemory, HitsAreRememberedWhileLightChanges) {
 
 // Both end where the scene has everything, so that the same references serve them.
 TEST_F(TradeMemory, ACameraThatWalksEndsWhereTheSceneHasIt) {
-    const TradePoint point{
+    TradePoint point{
         kScene, "emc", "low", {"gi.emc.final=splat", "gi.photons=4000", "gi.emc.candidates=8"}, {}};
-    TradeMeasurement job{kPixels, {}, 2, 2};
+    const TradeMeasurement job{kPixels, {}, 2, 2};
     const TradeView stands = view_point(point, job, schema_);
-    job.motion = TradeMotion::camera;
+    point.motion = TradeMotion::walk;
     const TradeView walks = view_point(point, job, schema_);
     ASSERT_EQ(walks.final.pixels.size(), stands.final.pixels.size());
     double off = 0, sum = 0;

@@ -12,6 +12,7 @@
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/trade_measure.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
@@ -127,6 +128,35 @@ TEST(TradePoint, IsNamedByItsSceneAndCamera) {
     EXPECT_EQ(point.scene_name(), "a.b-dark");
     point.scene = "rooms/a.b.glb";
     EXPECT_EQ(point.scene_name(), "a.b");
+    const std::string still = point.panel();
+    point.motion = TradeMotion::figure;
+    EXPECT_EQ(point.scene_name(), "a.b-figure");
+    EXPECT_NE(point.panel(), still) << "a chart of its own";
+}
+
+TEST_F(TradeSweep, HasEachMotionAsPointsOfItsOwn) {
+    Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low"});
+    sweep.presets_only = true;
+    const std::size_t one = sweep_points(sweep, schema_).size();
+    sweep.motions = {TradeMotion::lamp, TradeMotion::walk, TradeMotion::figure};
+    const std::vector<TradePoint> points = sweep_points(sweep, schema_);
+    EXPECT_EQ(points.size(), 3 * one);
+    for (const TradeMotion motion : sweep.motions) {
+        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(points, motion, &TradePoint::motion)), one)
+            << name_of(motion);
+        EXPECT_EQ(trade_motion_named(name_of(motion)), motion);
+    }
+    EXPECT_THROW(trade_motion_named("dance"), InputError);
+}
+
+// A figure is compared where its last frame shows it, all else where the scene has it.
+TEST(TradeMeasurement, ComparesAFigureWhereItArrives) {
+    TradeMeasurement job;
+    job.view.time = 1;
+    job.frames = 5;
+    job.warmup = 8;
+    EXPECT_DOUBLE_EQ(*last_view(TradeMotion::walk, job).time, 1);
+    EXPECT_DOUBLE_EQ(*last_view(TradeMotion::figure, job).time, 1 + 12 / 60.0);
 }
 
 TEST_F(TradeSweep, ThePapersOwnWayHasThePapersEpsilon) {

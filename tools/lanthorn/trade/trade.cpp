@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
+#include <set>
 #include <thread>
+#include <tuple>
 
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/atomic_file.h"
@@ -32,26 +33,19 @@ namespace {
 
 struct Options : TradeOptions {
     AdviceOptions advice;
+    std::vector<std::string> motions = {"light"};
 };
 
 struct PointOptions {
     TradePoint point;
     TradeMeasurement job;
     TradeReferences references;
-    std::string stem;
+    std::string stem, motion;
     int thumbnail = 96;
 };
 
-// Sets the motion when the command line has been read.
-void add_motion_option(CLI::App& command, TradeMotion& motion) {
-    command
-        .add_option_function<std::string>(
-            "--motion",
-            [&motion](const std::string& name) {
-                motion = name == motion_name(TradeMotion::camera) ? TradeMotion::camera : TradeMotion::light;
-            },
-            "what changes in each frame: light (default), or camera, which walks 2 cm sideways")
-        ->check(CLI::IsMember({motion_name(TradeMotion::light), motion_name(TradeMotion::camera)}));
+CLI::Validator is_motion() {
+    return CLI::IsMember(std::vector<std::string>(kTradeMotionNames.begin(), kTradeMotionNames.end()));
 }
 
 // In words.
@@ -77,9 +71,9 @@ TradeContext context_of(const TradeOptions& options, const std::vector<TradeResu
     for (const TradeResult& r : results) {
         noise = std::max(noise, r.figures.reference_noise);
     }
-    context.method = fmt::format(
-        "{}; medians of {} frames after {}, {} in each", options.size, options.job.frames, options.job.warmup,
-        options.job.motion == TradeMotion::light ? "under lights that move" : "a camera that walks 2 cm");
+    context.method =
+        fmt::format("{}; medians of {} frames after {}; in each, unless the name says otherwise, light moves",
+                    options.size, options.job.frames, options.job.warmup);
     context.reference = fmt::format(
         "references: path tracing, {}, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
         transport_of_references(options), options.reference_spp, noise);
@@ -139,6 +133,8 @@ ExitCode trade(Options options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     options.job.size = parse_size("--size", options.size, 1, kLargestPicture);
+    options.sweep.motions.clear();
+    std::ranges::transform(options.motions, std::back_inserter(options.sweep.motions), trade_motion_named);
     for (const std::string& knob : options.knobs) {
         options.sweep.knobs.push_back(parse_knob(knob, schema));
     }
@@ -147,18 +143,18 @@ ExitCode trade(Options options) {
     const TradeFolder folder(options);
 
     const StopSignal stop;
-    std::map<std::pair<std::string, int>, bool> references;
+    std::set<std::tuple<std::string, TradeMotion, int>> references;
     std::vector<fs::path> stems;
     for (const TradePoint& point : points) {
-        references[{point.scene, 0}] =
-            references[{point.scene, point.settings(schema).get<int>("gi.bounces")}] = true;
+        references.emplace(point.scene, point.motion, 0);
+        references.emplace(point.scene, point.motion, point.settings(schema).get<int>("gi.bounces"));
         stems.push_back(folder.stem(point, schema));
     }
     Progress progress("measuring", references.size() + points.size());
     std::uint64_t done = 0;
-    for (const auto& [reference, wanted] : references) {
+    for (const auto& [scene, motion, bounces] : references) {
         if (!stop.asked()) {
-            make_reference(folder, options, reference.first, reference.second, stop);
+            make_reference(folder, options, scene, motion, bounces, stop);
         }
         progress.update(++done);
     }
@@ -187,9 +183,10 @@ ExitCode trade(Options options) {
     return options.advice.wishes.any() ? advise_by(chart_rows(run.results), options.advice) : ExitCode::ok;
 }
 
-ExitCode measure_point(const PointOptions& options) {
+ExitCode measure_point(PointOptions options) {
     SettingsSchema schema;
     declare_all_settings(schema);
+    options.point.motion = trade_motion_named(options.motion);
     TradeView view = view_point(options.point, options.job, schema);
     compare_with_references(view, options.references);
     write_image(options.stem + ".png", picture_of(view, options.references.same, options.thumbnail));
@@ -248,7 +245,14 @@ Command add_trade(CLI::App& app) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that is shown, standing still (default: 0)");
-    add_motion_option(*command, options->job.motion);
+    command
+        ->add_option("--motion", options->motions,
+                     "what changes in each frame, a chart each, separated by commas: light (default), lamp "
+                     "and walk (2 cm "
+                     "a frame), figure (the animation plays from --time on)")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(is_motion());
     command
         ->add_option(
             "--seeds", options->seeds,
@@ -292,7 +296,7 @@ Command add_trade_point(CLI::App& app) {
         command->add_option(name, *number)->required()->check(CLI::PositiveNumber | CLI::Range(0, 0));
     }
     add_camera_option(*command, options->job.view.camera);
-    add_motion_option(*command, options->job.motion);
+    command->add_option("--motion", options->motion)->required()->check(is_motion());
     add_moment_options(*command, options->job.view, "");
     command->add_option("--set", options->point.assignments)->allow_extra_args(false);
     return [options] { return measure_point(*options); };

@@ -55,9 +55,9 @@ ChildOutcome run_own(const std::vector<std::string>& arguments) {
 }
 
 void make_reference(const TradeFolder& folder, const TradeOptions& options, const std::string& scene,
-                    int bounces, const StopSignal& stop) {
-    const fs::path stem = folder.reference(scene, bounces);
-    const ListedScene listed = listed_scene(scene, options.job.view);
+                    TradeMotion motion, int bounces, const StopSignal& stop) {
+    const fs::path stem = folder.reference(scene, motion, bounces);
+    const ListedScene listed = listed_scene(scene, last_view(motion, options.job));
     const std::vector<std::string> aovs =
         bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
     if (std::ranges::all_of(
@@ -128,7 +128,7 @@ std::vector<std::string> point_command(const TradePoint& point, const TradeOptio
     for (const auto& [name, number] : numbers) {
         command.insert(command.end(), {name, std::to_string(number)});
     }
-    command.insert(command.end(), {"--motion", motion_name(job.motion), "--same", references.same, "--all",
+    command.insert(command.end(), {"--motion", name_of(point.motion), "--same", references.same, "--all",
                                    references.all, "--final", references.final, "-o", stem.string()});
     for (const auto* list : {&point.common, &point.assignments}) {
         for (const std::string& assignment : *list) {

@@ -17,7 +17,7 @@ ChildOutcome run_own(const std::vector<std::string>& arguments);
 // Traces a reference unless it is there. An interrupted one is not kept. Throws Error with the code of a
 // tracer that fails.
 void make_reference(const TradeFolder& folder, const TradeOptions& options, const std::string& scene,
-                    int bounces, const StopSignal& stop);
+                    TradeMotion motion, int bounces, const StopSignal& stop);
 
 // The arguments of the process that measures a point.
 std::vector<std::string> point_command(const TradePoint& point, const TradeOptions& options,

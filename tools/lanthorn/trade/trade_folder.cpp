@@ -57,17 +57,19 @@ TradeFolder::TradeFolder(const TradeOptions& options) : options_(options), folde
 
 fs::path TradeFolder::stem(const TradePoint& point, const SettingsSchema& schema) const {
     const TradeMeasurement& job = options_.job;
-    const std::string key =
-        fmt::format("{:x} {} {} {}x{} {} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
-                    point.settings(schema).to_json(), job.size.x, job.size.y, job.frames, job.warmup,
-                    motion_name(job.motion), options_.reference_spp, options_.thumbnail, kCommit, kBuildType,
-                    processor());
+    const std::string key = fmt::format(
+        "{:x} {} {} {}x{} {} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
+        point.settings(schema).to_json(), job.size.x, job.size.y, job.frames, job.warmup,
+        name_of(point.motion), options_.reference_spp, options_.thumbnail, kCommit, kBuildType, processor());
     return folder_ / "points" / (point.scene_name() + '-' + hex_hash(key));
 }
 
-fs::path TradeFolder::reference(const std::string& scene, int bounces) const {
+fs::path TradeFolder::reference(const std::string& scene, TradeMotion motion, int bounces) const {
     std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
                                   options_.job.size.y, options_.reference_spp);
+    if (motion == TradeMotion::figure) {
+        key += fmt::format(" {}", *last_view(motion, options_.job).time);
+    }
     for (const std::string& assignment : of_references(options_)) {
         key += ' ' + assignment;
     }
@@ -77,8 +79,9 @@ fs::path TradeFolder::reference(const std::string& scene, int bounces) const {
 }
 
 TradeReferences TradeFolder::references(const TradePoint& point, const SettingsSchema& schema) const {
-    const std::string same = reference(point.scene, point.settings(schema).get<int>("gi.bounces"));
-    const std::string all = reference(point.scene, 0);
+    const std::string same =
+        reference(point.scene, point.motion, point.settings(schema).get<int>("gi.bounces"));
+    const std::string all = reference(point.scene, point.motion, 0);
     return {same + "-indirect.exr", all + "-indirect.exr", all + "-final.exr"};
 }
 

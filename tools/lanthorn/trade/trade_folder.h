@@ -25,7 +25,7 @@ class TradeFolder {
     std::filesystem::path stem(const TradePoint& point, const SettingsSchema& schema) const;
 
     // Without ending and AOV. `bounces` 0: all there are.
-    std::filesystem::path reference(const std::string& scene, int bounces) const;
+    std::filesystem::path reference(const std::string& scene, TradeMotion motion, int bounces) const;
     // The three images that a point is compared with.
     TradeReferences references(const TradePoint& point, const SettingsSchema& schema) const;
 

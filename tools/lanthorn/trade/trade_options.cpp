@@ -6,10 +6,6 @@
 
 namespace lanthorn::tools {
 
-const char* motion_name(TradeMotion motion) {
-    return motion == TradeMotion::light ? "light" : "camera";
-}
-
 std::vector<std::string> of_references(const TradeOptions& options) {
     constexpr std::array<std::string_view, 2> kKept = {"path.transport=", "path.caustics="};
     std::vector<std::string> list;

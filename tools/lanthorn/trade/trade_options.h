@@ -20,9 +20,6 @@ struct TradeOptions {
     int seeds = 1;
 };
 
-// As --motion has it.
-const char* motion_name(TradeMotion motion);
-
 // "KEY=VALUE" of `options` that hold for the references too: those of the path tracer that say what light
 // does at surfaces, not how many samples are taken nor when it ends.
 std::vector<std::string> of_references(const TradeOptions& options);

@@ -27,7 +27,7 @@ class Chart {
           front_(pareto_front(results, measure.error, axis.cost)) {
         for (std::size_t i = 0; i < results.size(); ++i) {
             const TradeResult& r = results[i];
-            if (!r.measured() || r.point.scene != scene || !(error(i) > 0) || !(cost(i) > 0)) {
+            if (!r.measured() || r.point.panel() != scene || !(error(i) > 0) || !(cost(i) > 0)) {
                 continue;
             }
             (r.point.technique == "none" ? none_ : shown_).push_back(i);
@@ -205,7 +205,7 @@ class Chart {
 };
 
 std::string scene_name(const std::vector<TradeResult>& results, const std::string& scene) {
-    const auto same = [&](const TradeResult& r) { return r.point.scene == scene; };
+    const auto same = [&](const TradeResult& r) { return r.point.panel() == scene; };
     return std::ranges::find_if(results, same)->point.scene_name();
 }
 
@@ -240,8 +240,8 @@ const std::vector<TradeMeasure>& trade_measures() {
 std::vector<std::string> scenes_of(const std::vector<TradeResult>& results) {
     std::vector<std::string> scenes;
     for (const TradeResult& r : results) {
-        if (std::ranges::find(scenes, r.point.scene) == scenes.end()) {
-            scenes.push_back(r.point.scene);
+        if (std::ranges::find(scenes, r.point.panel()) == scenes.end()) {
+            scenes.push_back(r.point.panel());
         }
     }
     return scenes;

@@ -1,5 +1,7 @@
 #include "lanthorn/workbench/trade_measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -113,11 +115,13 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     std::unique_ptr<gpu::Context> context;  // before what draws in it
     const ListedScene listed = listed_scene(point.scene, job.view);
     const int count = job.warmup + job.frames;
-    const bool walks = job.motion == TradeMotion::camera;
-    MovingScene moving(load_scene(listed.file, listed.view), listed.view, walks ? Motion::walk : Motion::rest,
-                       count - 1);
+    const bool light_alone = point.motion == TradeMotion::light;
+    MovingScene moving(load_scene(listed.file, listed.view), listed.view,
+                       light_alone ? Motion::rest : motion_named(name_of(point.motion)), count - 1);
     if (!moving.lacking().empty()) {
-        throw InputError(listed.file, "", moving.lacking() + ", expected some for --motion camera");
+        throw InputError(
+            listed.file, "",
+            fmt::format("{}, expected some for --motion {}", moving.lacking(), name_of(point.motion)));
     }
     App& app = moving.shown().app();
     ecs::World& world = app.world();
@@ -129,7 +133,7 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
 
     FrameTimes times;
     for (int i = 0; i < count; ++i) {
-        const FrameCost cost = meter.measure([&] { walks ? void(moving.show(i)) : light.show(); });
+        const FrameCost cost = meter.measure([&] { light_alone ? light.show() : void(moving.show(i)); });
         if (i >= job.warmup) {
             times.add(cost);
         }
@@ -158,7 +162,7 @@ TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settin
     RenderJob render;
     render.size = job.size;
     render.view = listed.view;
-    render.view.time = job.view.time.value_or(0);
+    render.view.time = last_view(point.motion, job).time;
     render.aovs = {render::Aov::indirect};
     const double cpu_start = processor_ms();
     RenderOutcome timed = path_trace_scene(scene, settings, render, "", ignore);
@@ -211,6 +215,13 @@ ImageF scaled(const ImageF& image, int width) {
 }
 
 }  // namespace
+
+SceneView last_view(TradeMotion motion, const TradeMeasurement& job) {
+    SceneView view = job.view;
+    const int steps = motion == TradeMotion::figure ? job.warmup + job.frames - 1 : 0;
+    view.time = view.time.value_or(0) + kFigureStep * steps;
+    return view;
+}
 
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema) {
     const Settings settings = point.settings(schema);

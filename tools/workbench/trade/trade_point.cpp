@@ -12,8 +12,26 @@
 
 namespace lanthorn::workbench {
 
+std::string name_of(TradeMotion motion) {
+    return std::string(kTradeMotionNames[static_cast<std::size_t>(motion)]);
+}
+
+TradeMotion trade_motion_named(std::string_view name) {
+    const auto found = std::ranges::find(kTradeMotionNames, name);
+    if (found == kTradeMotionNames.end()) {
+        throw InputError(fmt::format("found no motion '{}', expected one of {}", name,
+                                     fmt::join(kTradeMotionNames, ", ")));
+    }
+    return static_cast<TradeMotion>(found - kTradeMotionNames.begin());
+}
+
 std::string TradePoint::scene_name() const {
-    return listed_scene(scene, {}).name;
+    const std::string own = listed_scene(scene, {}).name;
+    return motion == TradeMotion::light ? own : own + '-' + name_of(motion);
+}
+
+std::string TradePoint::panel() const {
+    return motion == TradeMotion::light ? scene : scene + ' ' + name_of(motion);
 }
 
 std::string TradePoint::label() const {
@@ -71,13 +89,13 @@ std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double T
     }
     std::ranges::sort(order, {}, [&](std::size_t i) {
         const TradeResult& r = results[i];
-        return std::tuple(r.point.scene, r.figures.*cost, r.figures.*error);
+        return std::tuple(r.point.panel(), r.figures.*cost, r.figures.*error);
     });
     std::vector<bool> front(results.size(), false);
     const TradeResult* best = nullptr;
     for (const std::size_t i : order) {
         const TradeResult& r = results[i];
-        const bool other_scene = best == nullptr || best->point.scene != r.point.scene;
+        const bool other_scene = best == nullptr || best->point.panel() != r.point.panel();
         const bool equal = !other_scene && r.figures.*error == best->figures.*error &&
                            r.figures.*cost == best->figures.*cost;
         if (other_scene || equal || r.figures.*error < best->figures.*error) {

@@ -152,35 +152,42 @@ std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& s
     std::set<std::string> seen;
     const auto add = [&](TradePoint point) {
         const std::string settings = point.settings(schema).to_json();
-        if (seen.insert(point.scene + '\n' + point.technique + '\n' + settings).second) {
+        if (seen.insert(point.panel() + '\n' + point.technique + '\n' + settings).second) {
             points.push_back(std::move(point));
         }
     };
-    for (const std::string& scene : sweep.scenes) {
-        for (const std::string& technique : sweep.techniques) {
-            const TradePoint start{scene, technique, sweep.around, sweep.common, {}};
-            if (has_presets(technique)) {
-                for (const std::string& preset : sweep.presets) {
-                    TradePoint point = start;
-                    point.preset = preset;
-                    add(point);
-                    if (technique == "emc") {
-                        add(other_final_stage(point, schema));
-                    }
-                }
-                if (technique == "emc" && !sweep.presets.empty()) {
-                    add(papers_own_way(start));
-                }
-            } else if (technique == "none") {
-                add(start);
-            }
-            for (auto& assignments : turns(sweep, technique)) {
+    const auto add_points = [&](const TradePoint& start) {
+        const std::string& technique = start.technique;
+        if (has_presets(technique)) {
+            for (const std::string& preset : sweep.presets) {
                 TradePoint point = start;
-                point.assignments = std::move(assignments);
-                if (technique == "emc") {
-                    take_its_stage(point, schema);
-                }
+                point.preset = preset;
                 add(point);
+                if (technique == "emc") {
+                    add(other_final_stage(point, schema));
+                }
+            }
+            if (technique == "emc" && !sweep.presets.empty()) {
+                add(papers_own_way(start));
+            }
+        } else if (technique == "none") {
+            add(start);
+        }
+        for (auto& assignments : turns(sweep, technique)) {
+            TradePoint point = start;
+            point.assignments = std::move(assignments);
+            if (technique == "emc") {
+                take_its_stage(point, schema);
+            }
+            add(point);
+        }
+    };
+    for (const std::string& scene : sweep.scenes) {
+        for (const TradeMotion motion : sweep.motions) {
+            for (const std::string& technique : sweep.techniques) {
+                TradePoint start{scene, technique, sweep.around, sweep.common, {}};
+                start.motion = motion;
+                add_points(start);
             }
         }
     }

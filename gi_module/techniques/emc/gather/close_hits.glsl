@@ -1,16 +1,19 @@
-// Hits that a lit texel is too wide for, lit one by one. Needs lit_lookup.glsl. The C++ side: close_hits.h.
+// Hits that a lit texel is too wide for, lit one by one. Needs lit_lookup.glsl and random.glsl. The C++ side: close_hits.h.
 #ifndef LANTHORN_EMC_CLOSE_HITS_GLSL
 #define LANTHORN_EMC_CLOSE_HITS_GLSL
 
 layout(std430, binding = 10) writeonly buffer ClosePoints { vec4 close_points[]; };   // by slot: packed
 layout(std430, binding = 11) writeonly buffer CloseOwners { uvec2 close_owners[]; };  // by slot: entry, lit texel or kUnlit or close_albedo()
-layout(std430, binding = 12) buffer CloseFree { uint close_taken; uint close_free_count; uint close_free[]; };  // slots
+#include "close_free.glsl"
 
 uniform samplerBuffer lit_nearness;  // by place, a: a lit texel's width over its distance from a lamp
 uniform samplerBuffer close_lamps;   // xyz
 uniform int close_lamp_count;
 uniform int close_first;             // the slots' first place
 uniform int close_every_hit;         // 1: no lit texel is good enough, and what none shows goes by its own albedo
+
+// Which lot of rays an entry is of: where there are fewer slots than hits that want one, some lots get all they want and others none.
+uint close_lot(uint entry) { return pcg4d(uvec4(entry, 0u, 0u, 0u)).x % kCloseLots; }
 
 const float kNearLamp = 1.0 / 6.0;     // nearness, from which on a texel's light is not that of each of its points
 const float kNearContact = 1.0 / 24.0;  // the same for a ray that is shorter than kContact of its widths
@@ -59,7 +62,9 @@ uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t, uint albedo) 
     uint place = found;
     while (is_close) {
         bool alone = every || !is_lit || is_short || ends_beside(int(found));
-        uint at = alone ? atomicAdd(close_taken, 1u) : 0xffffffffu;
+        uint lot = close_lot(entry);
+        if (alone) atomicAdd(close_wanted[lot], 1u);
+        uint at = alone && lot < close_lots ? atomicAdd(close_taken, 1u) : 0xffffffffu;
         if (at < close_free_count) {
             uint slot = close_free[at];
             close_points[slot] = pack_point(x, n);

@@ -17,7 +17,7 @@ namespace lanthorn::gi {
 class CloseHits {
   public:
     // Hits at a time of the picture's points, of its pixels beside lamps, and of a still picture's pass, in
-    // the order of their places; where there are more the others go by lit texels.
+    // the order of their places; where there are more some go by lit texels, the same ones in every run.
     static constexpr int kSlots = 65536, kPixelSlots = 16384, kStillSlots = 65536;
     static constexpr int kAllSlots = kSlots + kPixelSlots + kStillSlots;
     // Which hits have a slot: those that a texel is too wide for; or every one, for a frame (a still
@@ -32,6 +32,12 @@ class CloseHits {
     // close_hits.glsl: storage bindings 10 to 12, texture units `unit` and the next. `nearness`: vec4 by
     // place.
     void bind(const gpu::Program& program, const gpu::Buffer& nearness, GLuint unit);
+    // Around rays that are looked up, in lists of so many: before, and after the second of them, whether
+    // slots were too few. Then both are to be looked up once more, `first` by dispatch_again(), with fewer
+    // rays that may take one; `left` is empty. Without waiting: else there is nothing to dispatch.
+    void open();
+    void settle(const EntryList& first, const EntryList& left);
+    void dispatch_again() const;
     // After rays have been traced: lists the slots that some of `entries` entries point at, and frees the
     // rest. `use`: gives a program the uniforms of remembered.glsl. Cost: a look at each slot.
     void collect(const std::function<void(const gpu::Program&)>& use, std::size_t entries,
@@ -55,7 +61,7 @@ class CloseHits {
     std::vector<vec4> lamps_;
     gpu::Buffer points_, owners_, free_, all_free_, lamp_places_;
     EntryList listed_;
-    gpu::Program slots_;
+    gpu::Program slots_, lots_;
     gpu::BufferTexture nearness_view_, lamps_view_, owners_view_;
 };
 

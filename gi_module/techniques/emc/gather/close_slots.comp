@@ -7,7 +7,7 @@ layout(local_size_x = 256) in;
 #include "entry_list.glsl"
 
 layout(std430, binding = 10) buffer ClosePoints { vec4 close_points[]; };
-layout(std430, binding = 12) buffer CloseFree { uint close_taken; uint close_free_count; uint close_free[]; };
+#include "close_free.glsl"
 
 uniform usamplerBuffer remembered;    // texels
 uniform usamplerBuffer close_owners;  // entry, lit texel

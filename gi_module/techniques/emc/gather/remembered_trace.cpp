@@ -108,7 +108,7 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
     }
     arrival_list_.write(0, std::span<const Arrival>(arrivals));
     listed.left.clear();
-    const auto look_up = [&](const gpu::Program& program, const EntryList& items) {
+    const auto look_up = [&](const gpu::Program& program, const std::function<void()>& dispatch) {
         listed.use(program);
         rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
         rays.texels.bind(program, lit_points_view_, 2);
@@ -121,12 +121,22 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
         if (rays.close != nullptr) {
             rays.close->bind(program, *rays.nearness, 5);
         }
-        items.dispatch();
+        dispatch();
         wait_for_shaders();
     };
     const int close = rays.close != nullptr ? 1 : 0;
-    look_up(arrivals_[close], listed.entries);
-    look_up(left_arrivals_[close], listed.left);
+    const auto look_up_all = [&](const std::function<void()>& first) {
+        look_up(arrivals_[close], first);
+        look_up(left_arrivals_[close], [&] { listed.left.dispatch(); });
+    };
+    if (rays.close == nullptr) {
+        look_up_all([&] { listed.entries.dispatch(); });
+        return;
+    }
+    rays.close->open();
+    look_up_all([&] { listed.entries.dispatch(); });
+    rays.close->settle(listed.entries, listed.left);
+    look_up_all([&] { rays.close->dispatch_again(); });
 }
 
 }  // namespace lanthorn::gi

@@ -17,19 +17,15 @@ struct TradeReferences {
     std::string final;  // EXR: the picture, all bounces
 };
 
-// What changes in each frame.
-enum class TradeMotion {
-    light,   // light alone
-    camera,  // the camera alone walks sideways (Motion::walk)
-};
-
 // How each point is measured.
 struct TradeMeasurement {
     ivec2 size{512, 512};
-    SceneView view;  // `time`: of the animation, which stands still
+    SceneView view;  // `time`: of the animation, which stands still, or begins to play
     int frames = 15, warmup = 3;
-    TradeMotion motion = TradeMotion::light;
 };
+
+// What the last frame shows, which is compared.
+SceneView last_view(TradeMotion motion, const TradeMeasurement& job);
 
 // What a technique showed and how long it took; the errors are not known yet.
 struct TradeView {
@@ -37,12 +33,13 @@ struct TradeView {
     ImageF indirect, final;
 };
 
-// Renders the point: whole frames of an App. Geometry stands still and light changes in each frame, so that
-// all techniques light it anew: punctual lights that carry no geometry move by 0.002 of the scene's diagonal,
-// so that their shadow maps are drawn anew too and old light is wrong; with the last frame, which is
-// compared, they come to where the scene has them. Without any, all light is altered by its last bit.
-// Techniques that keep light or hits of frames before are shown with what they have kept. Path points are
-// timed once, for their indirect light alone. Throws what render_scene() does.
+// Renders the point: whole frames of an App, in which its motion takes place. TradeMotion::light: geometry
+// stands still and light changes in each frame, so that all techniques light it anew: punctual lights that
+// carry no geometry move by 0.002 of the scene's diagonal, so that their shadow maps are drawn anew too and
+// old light is wrong; with the last frame, which is compared, they come to where the scene has them. Without
+// any, all light is altered by its last bit. Techniques that keep light or hits of frames before are shown
+// with what they have kept. Path points are timed once, for their indirect light alone. Throws what
+// render_scene() does.
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema);
 
 // The errors of `view`, into its figures. The references' own noise is uncorrelated with the image's error,

@@ -1,13 +1,28 @@
 // The points of the speed-for-accuracy chart: which settings are measured, and what was found.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gi/technique.h"
 
 namespace lanthorn::workbench {
+
+// What changes in each frame.
+enum class TradeMotion {
+    light,   // light alone
+    lamp,    // Motion::lamp: lamps move, meshes that shine too
+    walk,    // Motion::walk: the camera alone
+    figure,  // Motion::figure: the scene's animation plays
+};
+// As --motion has them.
+inline constexpr std::array<std::string_view, 4> kTradeMotionNames = {"light", "lamp", "walk", "figure"};
+std::string name_of(TradeMotion motion);
+// Throws InputError, which lists the names, for another.
+TradeMotion trade_motion_named(std::string_view name);
 
 // One way of lighting one scene.
 struct TradePoint {
@@ -18,8 +33,10 @@ struct TradePoint {
     std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
     std::string name = {};                 // what the chart calls it; empty: by its settings
     std::string stage = {};                // of other_final_stage(): which it has instead
+    TradeMotion motion = TradeMotion::light;
 
-    std::string scene_name() const;  // ListedScene's
+    std::string scene_name() const;  // ListedScene's, "-figure" behind it where that is the motion
+    std::string panel() const;       // the same for all points of a scene and a motion
     std::string label() const;  // "high", "coarse-path high", "medium, gi.photons=40000", "path, path.spp=4"
     std::string knob() const;   // the settings assigned: "gi.photons"; "preset" if none is
     Settings settings(const SettingsSchema& schema) const;  // throws InputError for what is not declared
@@ -84,6 +101,7 @@ Knob parse_knob(const std::string& text, const SettingsSchema& schema);
 // Which points of quality and time are measured.
 struct Sweep {
     std::vector<std::string> scenes, techniques, presets;
+    std::vector<TradeMotion> motions = {TradeMotion::light};
     std::string around = "medium";    // the preset that knobs are turned from
     std::vector<Knob> knobs;          // empty: what the technique's entry says
     bool presets_only = false;        // turn no knobs
@@ -101,8 +119,8 @@ TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema);
 // Throws InputError for a sweep without points.
 std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema);
 
-// Which results no other of the same scene betters: by cost and error (members of TradeFigures), one at
-// least strictly. Lost points never are. O(n log n).
+// Which results no other of the same scene and motion betters: by cost and error (members of TradeFigures),
+// one at least strictly. Lost points never are. O(n log n).
 std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error,
                                double TradeFigures::*cost = &TradeFigures::cost_ms);
 
