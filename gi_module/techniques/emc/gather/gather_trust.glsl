@@ -6,8 +6,8 @@ const float kFewRays = 48.0;  // pooled over more points
 
 int filter_levels(float rays) { return rays < 12.0 ? 4 : 3; }
 
-// How narrow a point may be that has so many rays, where others have all.
-float enough_rays(float rays) { return clamp((rays - 4.0) * (1.0 / 16.0), 0.0, 1.0); }
+// How narrow a point may be that has so many rays, where others have all. From fewer on, walls beside what moves are blotched.
+float enough_rays(float rays) { return clamp((rays - 24.0) * (1.0 / 32.0), 0.0, 1.0); }
 
 // Deviations that luminances on one surface may differ by: of few rays, whose deviation is uncertain, and of many. Rays that a
 // moving camera has gathered from here and there are no longer spread evenly, and err more than their number tells.
