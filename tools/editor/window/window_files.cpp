@@ -56,6 +56,7 @@ void EditorWindow::State::scene_opened() {
     editor->why.reset();
     editor->wishes = {};
     editor->played.clear();
+    editor->beside = {};
     why_light.forget();
     editor->error.reset();
     editor->kept_picture.reset();

@@ -116,8 +116,12 @@ void EditorWindow::State::make_panels() {
                                              ? std::string("Wishes")
                                              : fmt::format("Wishes {}", e.wishes.rows.size()),
                                          "Settings",
-                                         fmt::format("Played {}", e.played.size())};
-            for (int i = kLightsTab; i <= (e.played.empty() ? kSettingsTab : kPlayedTab); ++i) {
+                                         fmt::format("Played {}", e.played.size()),
+                                         fmt::format("Beside {}", e.beside.rows.size())};
+            for (int i = kLightsTab; i <= kBesideTab; ++i) {
+                if ((i == kPlayedTab && e.played.empty()) || (i == kBesideTab && e.beside.empty())) {
+                    continue;
+                }
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {
@@ -137,6 +141,7 @@ void EditorWindow::State::make_panels() {
             : e.drawer_tab == kWhyTab      ? draw_why(e)
             : e.drawer_tab == kWishesTab   ? draw_wishes(e)
             : e.drawer_tab == kPlayedTab   ? draw_played(e)
+            : e.drawer_tab == kBesideTab   ? draw_beside(e)
                                            : draw_settings(e);
             ImGui::EndChild();
         },
