@@ -3,6 +3,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -16,9 +17,9 @@ namespace lanthorn::reference {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic{'L', 'N', 'T', 'P', 'A', 'T', 'H', '2'};
-static_assert(sizeof(CheckpointHeader) == 32, "no padding");
-static_assert(sizeof(Film::Pixel) == 64, "no padding");
+constexpr std::array<char, 8> kMagic{'L', 'N', 'T', 'P', 'A', 'T', 'H', '3'};
+static_assert(sizeof(CheckpointHeader) == 48, "no padding");
+static_assert(sizeof(Film::Pixel) == 112, "no padding");
 
 // xxHash, 64 bits, of all that follows the magic.
 class Checksum {
@@ -51,7 +52,9 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader&
     };
     write(&header, sizeof header);
     for (const Film& film : films) {
-        write(film.pixels().data(), film.pixels().size() * sizeof(Film::Pixel));
+        if (!film.empty()) {
+            write(&film.pixels()[header.begin()], header.pixels() * sizeof(Film::Pixel));
+        }
     }
     const std::uint64_t value = sum.value();
     file.write({reinterpret_cast<const char*>(&value), sizeof value});
@@ -70,7 +73,8 @@ CheckpointHeader read_checkpoint(const std::filesystem::path& path, const Checkp
         throw InputError(name, "", "found something else, expected a checkpoint of `path`");
     }
     if (header.sample_hash != expected.sample_hash || header.width != expected.width ||
-        header.height != expected.height || header.films != expected.films) {
+        header.height != expected.height || header.films != expected.films ||
+        header.first != expected.first || header.top != expected.top || header.rows != expected.rows) {
         throw InputError(name, "",
                          "found another scene, camera, size, AOV or setting, expected the ones given "
                          "(remove the file to start anew)");
@@ -79,7 +83,7 @@ CheckpointHeader read_checkpoint(const std::filesystem::path& path, const Checkp
     sum.add(&header, sizeof header);
     std::vector<std::vector<Film::Pixel>> read;
     for (const Film& film : films) {
-        read.emplace_back(film.pixels().size());
+        read.emplace_back(film.empty() ? 0 : header.pixels());
         stream.read(reinterpret_cast<char*>(read.back().data()),
                     static_cast<std::streamsize>(read.back().size() * sizeof(Film::Pixel)));
         sum.add(read.back().data(), read.back().size() * sizeof(Film::Pixel));
@@ -91,7 +95,7 @@ CheckpointHeader read_checkpoint(const std::filesystem::path& path, const Checkp
                          "found a damaged checkpoint, expected one as it was written (remove the file)");
     }
     for (std::size_t i = 0; i < films.size(); ++i) {
-        films[i].pixels() = std::move(read[i]);
+        std::ranges::copy(read[i], films[i].pixels().begin() + static_cast<std::ptrdiff_t>(header.begin()));
     }
     return header;
 }

@@ -13,6 +13,7 @@
 #include "gi_module/reference/ray_log.h"
 #include "gi_module/reference/scene_hash.h"
 #include "gi_module/reference/tile_workers.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::reference {
 
@@ -22,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPassSeconds = 0.2;  // about how long a pass may take, so that cancelling is felt at once
 constexpr int kMostPerPass = 256;     // samples
+constexpr int kPieceSamples = 4;      // of a pass of a piece
 
 }  // namespace
 
@@ -51,7 +53,27 @@ struct PathTracer::State {
                 static_cast<std::uint32_t>(samples.size().y),
                 static_cast<std::uint32_t>(samples.spp()),
                 (parts.indirect ? 1u : 0u) | (parts.direct ? 2u : 0u) | (parts.radiance ? 4u : 0u),
-                samples.nan_count()};
+                samples.nan_count(),
+                0,
+                0,
+                static_cast<std::uint32_t>(samples.size().y),
+                0};
+    }
+    CheckpointHeader header(const PathPiece& piece) const {
+        CheckpointHeader of_piece = header();
+        of_piece.spp = static_cast<std::uint32_t>(piece.samples);
+        of_piece.first = static_cast<std::uint32_t>(piece.first);
+        of_piece.top = static_cast<std::uint32_t>(piece.top);
+        of_piece.rows = static_cast<std::uint32_t>(piece.rows);
+        return of_piece;
+    }
+    // Of another number of samples, too: a block that a run with fewer ended in.
+    static void check_samples(const CheckpointHeader& found, const PathPiece& piece,
+                              const std::filesystem::path& file) {
+        if (found.spp != static_cast<std::uint32_t>(piece.samples)) {
+            throw InputError(file.string(), "",
+                             fmt::format("found {} samples, expected {}", found.spp, piece.samples));
+        }
     }
 
     PathSettings settings;
@@ -173,6 +195,72 @@ std::vector<std::pair<std::string, std::string>> PathTracer::description(PathAov
         result.emplace_back("noise", fmt::format("{:.6g}", noise(aov)));
     }
     return result;
+}
+
+std::vector<PathPiece> path_pieces(ivec2 size, int spp, int bands) {
+    std::vector<PathPiece> pieces;
+    constexpr int kBlock = static_cast<int>(Film::kBlock);
+    bands = std::clamp(bands, 1, std::max(size.y, 1));
+    for (int first = 0; first < spp; first += kBlock) {
+        for (int band = 0; band < bands; ++band) {
+            const auto edge = [&](int i) {
+                return static_cast<int>(static_cast<std::int64_t>(size.y) * i / bands);
+            };
+            pieces.push_back({first, std::min(kBlock, spp - first), edge(band), edge(band + 1) - edge(band)});
+        }
+    }
+    return pieces;
+}
+
+bool PathTracer::trace_piece(const PathPiece& piece, const std::filesystem::path& file,
+                             const PathControl& control) {
+    State& s = *state_;
+    s.samples.begin_piece(piece.first, piece.top, piece.rows);
+    const Clock::time_point start = Clock::now();
+    for (int done = 0; done < piece.samples;) {
+        const int count = std::min(kPieceSamples, piece.samples - done);
+        s.samples.trace(s.rays(), count, s.workers);
+        done += count;
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double share = static_cast<double>(done) / piece.samples;
+        if (control.progress &&
+            !control.progress({done, seconds, share, std::numeric_limits<double>::infinity()})) {
+            return false;
+        }
+    }
+    write_checkpoint(file, s.header(piece), s.samples.films());
+    return true;
+}
+
+void PathTracer::add_up(const std::vector<PathPiece>& pieces,
+                        const std::vector<std::filesystem::path>& files) {
+    State& s = *state_;
+    s.samples.begin_again(s.samples.parts());
+    PixelSamples::Films read = s.samples.films();
+    int spp = 0;
+    std::uint64_t nan_count = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const CheckpointHeader header = read_checkpoint(files.at(i), s.header(pieces[i]), read);
+        State::check_samples(header, pieces[i], files[i]);
+        for (std::size_t film = 0; film < read.size(); ++film) {
+            if (!read[film].empty()) {
+                s.samples.films()[film].add_block(read[film], header.begin(), header.pixels());
+            }
+        }
+        spp = std::max(spp, pieces[i].first + pieces[i].samples);
+        nan_count += header.nan_count;
+    }
+    s.samples.set_counts(spp, nan_count);
+}
+
+bool PathTracer::has_piece(const PathPiece& piece, const std::filesystem::path& file) const {
+    try {
+        PixelSamples::Films read = state_->samples.films();
+        State::check_samples(read_checkpoint(file, state_->header(piece), read), piece, file);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 RayLog PathTracer::log_rays() {

@@ -22,7 +22,17 @@ void PixelSamples::begin_again(const SampleParts& parts) {
     for (std::size_t i = 0; i < films_.size(); ++i) {
         films_[i] = wanted[i] ? Film(size_) : Film();
     }
+    begin_ = 0;
+    end_ = first_.size();
     set_counts(0, 0);
+}
+
+void PixelSamples::begin_piece(int first, int top, int rows) {
+    begin_again(parts_);
+    const auto width = static_cast<std::size_t>(size_.x);
+    begin_ = static_cast<std::size_t>(top) * width;
+    end_ = begin_ + static_cast<std::size_t>(rows) * width;
+    set_counts(first, 0);
 }
 
 void PixelSamples::set_counts(int spp, std::uint64_t nan_count) {
@@ -36,15 +46,18 @@ CameraRay PixelSamples::camera_ray(const CameraRays& camera, std::size_t pixel, 
                       static_cast<float>(pixel / across) + within.y);
 }
 
-// All pixels in runs of neighbours, each run on one thread: visit(first, number of pixels).
+// Pixels from `begin` on in runs of neighbours, each run on one thread: visit(first, number of pixels).
 template <class Visit>
-void PixelSamples::for_each_run(TileWorkers& workers, const Visit& visit) const {
-    workers.run((first_.size() + kRun - 1) / kRun,
-                [&](std::size_t run) { visit(run * kRun, std::min(kRun, first_.size() - run * kRun)); });
+void PixelSamples::for_each_run(TileWorkers& workers, std::size_t begin, std::size_t end,
+                                const Visit& visit) const {
+    workers.run((end - begin + kRun - 1) / kRun, [&](std::size_t run) {
+        const std::size_t first = begin + run * kRun;
+        visit(first, std::min(kRun, end - first));
+    });
 }
 
 void PixelSamples::look(const PixelRays& rays, TileWorkers& workers) {
-    for_each_run(workers, [&](std::size_t begin, std::size_t pixels) {
+    for_each_run(workers, 0, first_.size(), [&](std::size_t begin, std::size_t pixels) {
         for (std::size_t pixel = begin; pixel < begin + pixels; ++pixel) {
             first_[pixel] = rays.integrator.first_surface(camera_ray(rays.camera, pixel, vec2(0.5f)));
         }
@@ -100,7 +113,7 @@ void PixelSamples::sample(const PixelRays& rays, std::size_t begin, std::size_t 
 }
 
 void PixelSamples::trace(const PixelRays& rays, int count, TileWorkers& workers) {
-    for_each_run(workers, [&](std::size_t begin, std::size_t pixels) {
+    for_each_run(workers, begin_, end_, [&](std::size_t begin, std::size_t pixels) {
         sample(rays, begin, pixels, count,
                [&](std::size_t pixel, std::uint32_t number, const PathSample& result) {
                    const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};

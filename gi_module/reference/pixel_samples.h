@@ -36,6 +36,9 @@ class PixelSamples {
     void trace_apart(const PixelRays& rays);
     // Forgets the samples, not what the pixels see; from here on samples have these parts.
     void begin_again(const SampleParts& parts);
+    // The same with the parts there are, for rows alone: the next sample of each of their pixels is number
+    // `first`, and other pixels get none until begin_again().
+    void begin_piece(int first, int top, int rows);
 
     int spp() const { return spp_; }
     std::uint64_t nan_count() const { return nan_count_; }  // samples that were left out
@@ -56,7 +59,7 @@ class PixelSamples {
 
   private:
     template <class Visit>
-    void for_each_run(TileWorkers& workers, const Visit& visit) const;
+    void for_each_run(TileWorkers& workers, std::size_t begin, std::size_t end, const Visit& visit) const;
     template <class Add>
     void sample(const PixelRays& rays, std::size_t begin, std::size_t pixels, int count,
                 const Add& add) const;
@@ -68,6 +71,7 @@ class PixelSamples {
     SampleParts parts_;
     std::vector<std::optional<FirstSurface>> first_;
     Films films_;
+    std::size_t begin_ = 0, end_ = 0;  // the pixels that are sampled
     int spp_ = 0;
     std::atomic<std::uint64_t> nan_count_ = 0;
 };

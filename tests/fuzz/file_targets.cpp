@@ -118,7 +118,7 @@ std::vector<std::string> settings_inputs() {
 
 // --- checkpoint
 
-constexpr reference::CheckpointHeader kCheckpoint = {5, 2, 2, 4, 3, 0};
+constexpr reference::CheckpointHeader kCheckpoint = {5, 2, 2, 4, 3, 0, 0, 0, 2, 0};
 
 void read_checkpoint_bytes(const std::string& bytes) {
     const auto path = write_input("path.checkpoint", bytes);

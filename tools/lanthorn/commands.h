@@ -21,5 +21,6 @@ Command add_measure(CLI::App& app);
 Command add_trade(CLI::App& app);
 Command add_replay(CLI::App& app);
 Command add_trade_point(CLI::App& app);  // hidden: what trade runs for each of its points
+Command add_farm_slice(CLI::App& app);   // hidden: what a task of a farm runs
 
 }  // namespace lanthorn::tools

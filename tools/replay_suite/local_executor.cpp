@@ -4,32 +4,25 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "tools/replay_suite/worker.h"
 
 namespace lanthorn::suite {
 
-void run_locally(const Plan& plan, const std::vector<std::size_t>& which, const ResultFiles& files, int jobs,
-                 const OnResult& on_result, const std::function<bool()>& stop) {
+void work_through(std::size_t count, int jobs, const std::function<bool()>& stop,
+                  const std::function<bool(std::size_t, const std::function<bool()>&)>& item) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
-    std::mutex mutex;  // of what follows
-    std::size_t done = 0;
+    std::mutex mutex;  // of `error`
     std::exception_ptr error;
-    const Worker worker(plan, files.folder() / "scratch", [&] { return stop() || failed.load(); });
+    const std::function<bool()> over = [&] { return stop() || failed.load(); };
     const auto work = [&] {
         try {
-            for (std::size_t at; (at = next.fetch_add(1)) < which.size() && !stop() && !failed;) {
-                const Item& item = plan.items[which[at]];
-                if (!files.find(item.key)) {
-                    const std::optional<Result> result = worker.judge(item);
-                    if (!result) {
-                        return;
-                    }
-                    files.put(*result);
+            for (std::size_t at; (at = next.fetch_add(1)) < count && !over();) {
+                if (!item(at, over)) {
+                    return;
                 }
-                const std::lock_guard lock(mutex);
-                on_result(++done);
             }
         } catch (...) {
             failed = true;
@@ -46,6 +39,25 @@ void run_locally(const Plan& plan, const std::vector<std::size_t>& which, const 
     if (error) {
         std::rethrow_exception(error);
     }
+}
+
+void run_locally(const Plan& plan, const std::vector<std::size_t>& which, const ResultFiles& files, int jobs,
+                 const OnResult& on_result, const std::function<bool()>& stop) {
+    std::mutex mutex;  // of `done`
+    std::size_t done = 0;
+    work_through(which.size(), jobs, stop, [&](std::size_t at, const std::function<bool()>& over) {
+        const Item& item = plan.items[which[at]];
+        if (!files.find(item.key)) {
+            const std::optional<Result> result = Worker(plan, files.folder() / "scratch", over).judge(item);
+            if (!result) {
+                return false;
+            }
+            files.put(*result);
+        }
+        const std::lock_guard lock(mutex);
+        on_result(++done);
+        return true;
+    });
 }
 
 }  // namespace lanthorn::suite

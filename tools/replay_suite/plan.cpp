@@ -12,6 +12,7 @@
 #include "lanthorn/replay/content_hash.h"
 #include "lanthorn/replay/recording.h"
 #include "tools/replay_suite/files.h"
+#include "tools/replay_suite/slurm_array.h"
 
 namespace lanthorn::suite {
 
@@ -125,22 +126,11 @@ std::vector<Item> shuffled_items(const Plan& plan, int count) {
 }
 
 std::vector<std::vector<std::size_t>> slices(const Plan& plan, double seconds) {
-    double sum = 0;
+    std::vector<double> work;
     for (const Item& item : plan.items) {
-        sum += item.seconds();
+        work.push_back(item.seconds());
     }
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(sum / seconds + 0.5), 1,
-                                               std::max<std::size_t>(plan.items.size(), 1));
-    // Longest first, each into the slice that has least.
-    std::vector<std::vector<std::size_t>> cut(count);
-    std::vector<double> load(count, 0);
-    for (std::size_t i = 0; i < plan.items.size(); ++i) {
-        const auto least = static_cast<std::size_t>(std::ranges::min_element(load) - load.begin());
-        cut[least].push_back(i);
-        load[least] += plan.items[i].seconds();
-    }
-    std::erase_if(cut, [](const auto& slice) { return slice.empty(); });
-    return cut;
+    return cut_slices(work, seconds);
 }
 
 void write_plan(const fs::path& file, const Plan& plan) {

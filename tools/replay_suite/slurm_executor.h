@@ -4,22 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "tools/replay_suite/local_executor.h"
 #include "tools/replay_suite/plan.h"
 #include "tools/replay_suite/result.h"
+#include "tools/replay_suite/slurm_array.h"
 
 namespace lanthorn::suite {
 
-struct SlurmOptions {
-    double slice_seconds = 30;        // of work a task
-    std::vector<std::string> sbatch;  // further options: a partition, an account
-};
-
-// Makes the results that `files` lacks, of the items at `which`: an array of tasks, each a slice of the plan
-// in one process of `replay suite-slice`. Slurm runs a task at least once; what counts is which files are
-// there, so that a lost node or a controller that is started again costs time only. What Slurm gives up is
-// submitted a second time; what is missing then has no result. `files` must lie where all nodes see it.
-// Returns lines about what happened on the way. Throws InputError without sbatch or where it refuses.
+// Makes the results that `files` lacks, of the items at `which`: by run_array(), each task a slice of the
+// plan in one process of `replay suite-slice`. `files` must lie where all nodes see it.
 std::vector<std::string> run_on_slurm(const Plan& plan, const std::vector<std::size_t>& which,
                                       const ResultFiles& files, const SlurmOptions& options,
                                       const OnResult& on_result, const std::function<bool()>& stop);

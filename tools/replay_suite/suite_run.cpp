@@ -55,13 +55,13 @@ class Runs {
         const std::size_t there = plan.items.size() - missing.size();
         const auto told = [&](std::size_t done) { events_.progress(there + done, plan.items.size()); };
         told(0);
-        if (options_.executor == "slurm") {
-            const SlurmOptions slurm{options_.slice_seconds, options_.sbatch};
-            for (std::string& note : run_on_slurm(plan, missing, files_, slurm, told, events_.stop)) {
+        if (options_.farm.executor == "slurm") {
+            for (std::string& note :
+                 run_on_slurm(plan, missing, files_, options_.farm.slurm, told, events_.stop)) {
                 notes_.push_back(std::move(note));
             }
         } else {
-            run_locally(plan, missing, files_, options_.jobs, told, events_.stop);
+            run_locally(plan, missing, files_, options_.farm.jobs, told, events_.stop);
         }
         std::vector<Result> results;
         for (const Item& item : plan.items) {
@@ -130,8 +130,9 @@ Summary run_suite(const SuiteOptions& options, const LevelOf& level_of, const Su
     facts.machine = machine_words();
     facts.command = options.command;
     facts.day = options.today;
-    facts.executor =
-        options.executor == "slurm" ? "by Slurm" : fmt::format("in {} processes at a time", options.jobs);
+    facts.executor = options.farm.executor == "slurm"
+                         ? "by Slurm"
+                         : fmt::format("in {} processes at a time", options.farm.jobs);
     facts.notes = runs.notes();
     facts.asked = {options.mutants > 0, options.pictures};
     facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

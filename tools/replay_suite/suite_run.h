@@ -6,28 +6,26 @@
 #include <string>
 #include <vector>
 
+#include "tools/replay_suite/farm_tasks.h"
 #include "tools/replay_suite/plan.h"
 #include "tools/replay_suite/summary.h"
 
 namespace lanthorn::suite {
 
 struct SuiteOptions {
-    std::string folder;              // of recordings
-    std::string output;              // folder for results and suite.json
-    std::string executor = "local";  // or "slurm"
-    int jobs = 1;                    // processes at a time, of "local"
-    bool resume = false;             // results that are there count
-    std::vector<std::string> only;   // names of recordings; all where it is empty
+    std::string folder;             // of recordings
+    std::string output;             // folder for results and suite.json
+    FarmChoice farm;                // where
+    bool resume = false;            // results that are there count
+    std::vector<std::string> only;  // names of recordings; all where it is empty
     std::vector<std::string> verify_options;
     int shuffles = 0;  // other orders of the schedule, for every recording
     int mutants = 0;   // at most, all recordings together; as many again of pictures where these are compared
     bool pictures = false;  // `verify_options` ask for them
     Limits limits;
-    double slice_seconds = 30;        // of work a task, of "slurm"
-    std::vector<std::string> sbatch;  // further options of sbatch
-    std::string program, build;       // that has `replay verify`, absolute; words
-    std::string command;              // to run this again, for people
-    std::string today;                // a day
+    std::string program, build;  // that has `replay verify`, absolute; words
+    std::string command;         // to run this again, for people
+    std::string today;           // a day
     std::map<std::string, std::string>
         planted;  // faults to make in recordings, by name: what a suite says of them
 };

@@ -17,7 +17,7 @@ float variance_of(const Film::Pixel& pixel) {
     if (a == 0 || b == 0) {
         return 0;
     }
-    const vec3 off(even.sum / a - odd.sum / b);
+    const vec3 off(even.sum() / a - odd.sum() / b);
     const float difference = luminance(off);
     return difference * difference * static_cast<float>(a * b / ((a + b) * (a + b)));
 }

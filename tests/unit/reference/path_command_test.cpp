@@ -171,5 +171,47 @@ TEST_F(PathCommand, ItsOptionsNeedIt) {
     EXPECT_NE(result.err.find("--technique path"), std::string::npos);
 }
 
+// By pieces that other processes trace, the picture is the same to the bit.
+TEST_F(PathCommand, TracesInPieces) {
+    const std::vector<std::string> picture = {"--aov",  "indirect", "--aov",  "radiance",
+                                              "--aov",  "depth",    "--spp",  "70",
+                                              "--seed", "3",        "--pose", "0,1,3.2,0,-4,50"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), picture.begin(), picture.end());
+        return more;
+    };
+    done(with({"-o", path("whole.exr")}));
+    done(with({"-o", path("pieces.exr"), "--executor", "local", "--jobs", "2", "--pieces", "5"}));
+    for (const std::string aov : {"indirect", "radiance", "depth"}) {
+        const ImageF whole = read_image(path("whole-" + aov + ".exr")),
+                     pieces = read_image(path("pieces-" + aov + ".exr"));
+        EXPECT_EQ(pieces.pixels, whole.pixels) << aov;
+        for (const auto& [key, value] : whole.metadata) {
+            EXPECT_TRUE(key == "seconds" || pieces.metadata.at(key) == value) << aov << ": " << key;
+        }
+    }
+    EXPECT_EQ(folder_.files().size(), 6u);  // no piece is left behind
+}
+
+TEST_F(PathCommand, RefusesPiecesOfWhatHasNone) {
+    const std::vector<std::string> to{"-o", path("a.exr"), "--jobs", "2"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = to;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    refused(with({"--technique", "emc"}), "--technique");  // twice
+    refused(with({"--time-limit", "1"}), "expected a number of samples alone");
+    refused(with({"--target-noise", "0.1"}), "expected a number of samples alone");
+    refused(with({"--checkpoint", path("sums")}), "expected a number of samples alone");
+    refused({"-o", path("a.exr"), "--pieces", "4"}, "--pieces: expected --executor or --jobs");
+    refused(with({"--executor", "grid"}), "--executor");
+    for (const char* piece :
+         {"0:1:0", "0:1:0:1:", "0:0:0:1", "-1:1:0:1", "0:65:0:1", "0:1:16:1", "0:1:0:17"}) {
+        refused({"-o", path("a.sums"), "--spp", "64", "--piece", piece},
+                "expected FIRST:SAMPLES:TOP:ROWS within 64 samples and 16 rows");
+    }
+}
+
 }  // namespace
 }  // namespace lanthorn

@@ -54,6 +54,70 @@ TEST_F(Progressive, ThreadsDoNotMatter) {
     EXPECT_NE(indirect(settings), one);
 }
 
+// A picture traced in pieces, as a farm does: other bands, another order, other numbers of threads.
+TEST_F(Progressive, PiecesAddUpToTheSameBits) {
+    const ivec2 size(33, 21);
+    const FrameScene scene = corner();
+    PathSettings settings;
+    settings.spp = 150;  // two blocks and a part of one
+    settings.antialias = true;
+    PathTracer whole(scene, size, settings, kAll);
+    whole.render({});
+    for (const int bands : {1, 4, 100}) {
+        const std::vector<PathPiece> pieces = path_pieces(size, settings.spp, bands);
+        EXPECT_EQ(pieces.size(), 3u * static_cast<unsigned>(std::min(bands, size.y)));
+        std::vector<std::filesystem::path> files;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            files.push_back(folder_ / std::to_string(i));
+        }
+        for (std::size_t i = pieces.size(); i-- > 0;) {
+            settings.threads = 1 + static_cast<int>(i % 3);
+            PathTracer one(scene, size, settings, kAll);
+            EXPECT_TRUE(one.trace_piece(pieces[i], files[i], {}));
+        }
+        PathTracer sum(scene, size, settings, kAll);
+        EXPECT_TRUE(sum.has_piece(pieces[0], files[0]));
+        EXPECT_FALSE(sum.has_piece(pieces[0], files[1]));
+        sum.add_up(pieces, files);
+        for (const PathAov aov : {PathAov::indirect, PathAov::direct, PathAov::radiance}) {
+            EXPECT_EQ(sum.image(aov), whole.image(aov)) << bands;
+            EXPECT_EQ(sum.noise(aov), whole.noise(aov)) << bands;
+            EXPECT_EQ(sum.description(aov), whole.description(aov)) << bands;
+        }
+        // And it goes on from there.
+        settings.spp = 170;
+        PathTracer longer(scene, size, settings, kAll);
+        sum.save(file_);
+        longer.resume(file_);
+        longer.render({});
+        PathTracer at_once(scene, size, settings, kAll);
+        at_once.render({});
+        EXPECT_EQ(longer.image(PathAov::indirect), at_once.image(PathAov::indirect));
+        settings.spp = 150;
+    }
+}
+
+TEST_F(Progressive, PiecesOfAnotherPictureAreRefused) {
+    const ivec2 size(8, 8);
+    const FrameScene scene = corner();
+    PathSettings settings;
+    settings.spp = 10;
+    PathTracer tracer(scene, size, settings, kAll);
+    const std::vector<PathPiece> pieces = path_pieces(size, settings.spp, 1);
+    EXPECT_FALSE(tracer.has_piece(pieces[0], file_));
+    EXPECT_FALSE(
+        tracer.trace_piece(pieces[0], file_, {.progress = [](const PathProgress&) { return false; }}));
+    EXPECT_FALSE(std::filesystem::exists(file_));
+    EXPECT_TRUE(tracer.trace_piece(pieces[0], file_, {}));
+    settings.seed = 2;
+    PathTracer other(scene, size, settings, kAll);
+    EXPECT_FALSE(other.has_piece(pieces[0], file_));
+    EXPECT_THROW(other.add_up(pieces, {file_}), InputError);
+    EXPECT_THROW(tracer.add_up(path_pieces(size, 11, 1), {file_}), InputError);
+    std::filesystem::resize_file(file_, std::filesystem::file_size(file_) - 1);
+    EXPECT_FALSE(tracer.has_piece(pieces[0], file_));
+}
+
 // What is measured in lux is diffuse, what is looked at is all that the scene says.
 TEST_F(Progressive, APictureIsFullOfAllBouncesAndIrradianceAloneDiffuse) {
     const FrameScene scene = corner();

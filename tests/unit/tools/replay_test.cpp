@@ -9,6 +9,7 @@
 #include "lanthorn/ecs/query.h"
 #include "tests/support/repository.h"
 #include "tools/lanthorn/replay/cause.h"
+#include "tools/lanthorn/replay/expectations.h"
 #include "tools/lanthorn/replay/heavy.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/minimise.h"
@@ -50,6 +51,15 @@ void plant(App& app) {
 Check check_of(const Verdict& verdict, const std::string& name) {
     const auto found = std::ranges::find(verdict.checks, name, &Check::name);
     return found == verdict.checks.end() ? Check{} : *found;
+}
+
+TEST(Expectations, AreToldOfByTheStepsThatTheyName) {
+    EXPECT_TRUE(is_told_within("solved before 100", 100));
+    EXPECT_TRUE(is_told_within("green-pane pushed.share > 0.3 before 50", 100));
+    for (const char* line :
+         {"solved", "solved before 101", "solved after 50", "before 50", "solved before fifty"}) {
+        EXPECT_FALSE(is_told_within(line, 100)) << line;
+    }
 }
 
 TEST(ReplayJudge, FindsARecordingAsItWas) {

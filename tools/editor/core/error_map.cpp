@@ -43,10 +43,10 @@ std::vector<Cell> cells_of(const reference::SparsePaths& paths, const ImageF& in
         const ivec2 at = paths.pixel(static_cast<int>(i));
         const dvec3 shown(indirect.at(at.x, at.y, 0), indirect.at(at.x, at.y, 1), indirect.at(at.x, at.y, 2));
         cells[i].seen = true;
-        cells[i].reference = luminance((even.sum + odd.sum) / (a + b));
+        cells[i].reference = luminance((even.sum() + odd.sum()) / (a + b));
         cells[i].off = luminance(shown) - cells[i].reference;
         // E (even - odd)^2 a b / (a + b)^2 is the variance of the mean of all (Film::noise()).
-        const double halves = luminance(even.sum / a - odd.sum / b) * std::sqrt(a * b) / (a + b);
+        const double halves = luminance(even.sum() / a - odd.sum() / b) * std::sqrt(a * b) / (a + b);
         cells[i].variance = halves * halves;
     }
     return cells;

@@ -75,6 +75,7 @@ void EditReport::line(const EditorState& state) {
     line["box"] = {box.x, box.y, box.width, box.height};
     line["playing"] = state.playing;
     line["played"] = state.played.size();
+    line["beside"] = state.beside.rows.size();
     if (!state.wishes.rows.empty()) {
         Json wishes = Json::array();
         for (const WishRow& row : state.wishes.rows) {

@@ -18,6 +18,7 @@
 #include "tools/editor/core/edit_warnings.h"
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/recovery_log.h"
+#include "tools/editor/window/beside_shown.h"
 #include "tools/editor/window/command_desk.h"
 #include "tools/editor/window/handles.h"
 #include "tools/editor/window/kept_views.h"
@@ -39,7 +40,7 @@ namespace lanthorn::edit_window {
 enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
 
 // What the drawer below the picture shows.
-enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kWishesTab, kSettingsTab, kPlayedTab };
+enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kWishesTab, kSettingsTab, kPlayedTab, kBesideTab };
 
 // A picture that is kept to be compared with.
 struct KeptPicture {
@@ -153,6 +154,7 @@ struct EditorState {
     std::optional<editor::TextChanges> changes;  // of the save sheet
     bool playing = false;                        // the game runs beside
     std::vector<PlayedRow> played;               // changed there, and offered
+    BesideShown beside;                          // empty: nothing was expected
     bool close = false;
     bool opened = false;           // another scene is shown than before
     bool dirty = false;            // as EditSession::is_dirty(), which costs the file's text
@@ -165,6 +167,8 @@ struct EditorState {
     std::vector<std::uint32_t> chosen;  // as the panels show it; the session's follows
 
     void say(const std::string& line, double now);  // for some seconds
+    // Opens its rows, and chooses the first node among them: the inspector shows it.
+    void show_beside(BesideShown shown);
     // Shows another file, once no frame is being drawn.
     void open(const std::filesystem::path& file);
     // Reads what the panels show where the session's version is another.

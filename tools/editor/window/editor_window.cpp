@@ -94,6 +94,9 @@ void EditorWindow::State::begin() {
             options.opened(session);
         }
         scene_opened();
+        if (!options.beside.empty()) {
+            editor->show_beside(options.beside);
+        }
         const auto is_ours = [&](const editor::LeftLog& log) { return log.edited == session.path(); };
         if (std::ranges::any_of(editor->left_logs, is_ours)) {
             editor->sheet = Sheet::start;  // edits of it were left behind: they are offered first

@@ -9,6 +9,7 @@
 
 #include "lanthorn/core/settings.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/window/beside_shown.h"
 #include "tools/editor/window/played_shown.h"
 
 namespace lanthorn::edit_window {
@@ -21,6 +22,7 @@ struct EditorOptions {
     ivec2 size{1280, 720};  // pixels
     // Called once `scene` has been opened: edits that it begins with. Throws InputError.
     std::function<void(editor::EditSession&)> opened = {};
+    BesideShown beside = {};                  // shown over it
     double text_scale = 0;                    // 0.75..2; 0: what the screen asks for
     std::string technique = {}, preset = {};  // empty: the default, and what suits the device
     bool refine = true;                       // what is still is drawn on (refinement.h)

@@ -22,6 +22,8 @@ void draw_why(EditorState& state);
 // How bright it shall be where, and what comes nearest to it.
 void draw_wishes(EditorState& state);
 
+// What was expected beside what was found.
+void draw_beside(EditorState& state);
 // What was changed in play.
 void draw_played(EditorState& state);
 

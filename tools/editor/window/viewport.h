@@ -92,6 +92,7 @@ class Viewport {
     void draw_scale_bar();
     void draw_lux();
     void draw_why_ways();
+    void draw_beside_ghosts();  // beside_panel.cpp
     // viewport_wishes.cpp
     std::optional<Picked> surface_at(const vec2& pixel);
     // viewport_pick.cpp: what EditorState::places asks for.

@@ -72,6 +72,7 @@ void Viewport::draw(double now) {
             draw_handles();
         }
         draw_why_ways();
+        draw_beside_ghosts();
         draw_wishes_places();
         draw_scale_bar();
         draw_lux();

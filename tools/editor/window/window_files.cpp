@@ -57,6 +57,7 @@ void EditorWindow::State::scene_opened() {
     editor->wishes = {};
     editor->places.clear();
     editor->played.clear();
+    editor->beside = {};
     why_light.forget();
     editor->error.reset();
     editor->kept_picture.reset();

@@ -116,18 +116,25 @@ void EditorWindow::State::make_panels() {
                                    e.wishes.rows.empty() ? std::string("Wishes")
                                                          : fmt::format("Wishes {}", e.wishes.rows.size()),
                                    "Settings",
-                                   fmt::format("Played {}", e.played.size())};
-            const int last = e.played.empty() ? kSettingsTab : kPlayedTab;
+                                   fmt::format("Played {}", e.played.size()),
+                                   fmt::format("Beside {}", e.beside.rows.size())};
+            const auto shown = [&](int tab) {
+                return (tab != kPlayedTab || !e.played.empty()) && (tab != kBesideTab || !e.beside.empty());
+            };
             float wide = 0;
-            for (int i = kLightsTab; i <= last; ++i) {
-                wide +=
-                    ImGui::CalcTextSize(names[i].c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + 2 * u;
+            for (int i = kLightsTab; i <= kBesideTab; ++i) {
+                wide += shown(i) ? ImGui::CalcTextSize(names[i].c_str()).x +
+                                       2 * ImGui::GetStyle().FramePadding.x + 2 * u
+                                 : 0;
             }
             if (wide > ImGui::GetContentRegionAvail().x) {  // large text: words alone, and short ones
-                constexpr const char* kShort[] = {"Lights", "Warn", "Why", "Wish", "Set", "Played"};
+                constexpr const char* kShort[] = {"Lights", "Warn", "Why", "Wish", "Set", "Played", "Beside"};
                 std::ranges::copy(kShort, names);
             }
-            for (int i = kLightsTab; i <= last; ++i) {
+            for (int i = kLightsTab; i <= kBesideTab; ++i) {
+                if (!shown(i)) {
+                    continue;
+                }
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {
@@ -147,6 +154,7 @@ void EditorWindow::State::make_panels() {
             : e.drawer_tab == kWhyTab      ? draw_why(e)
             : e.drawer_tab == kWishesTab   ? draw_wishes(e)
             : e.drawer_tab == kPlayedTab   ? draw_played(e)
+            : e.drawer_tab == kBesideTab   ? draw_beside(e)
                                            : draw_settings(e);
             ImGui::EndChild();
         },

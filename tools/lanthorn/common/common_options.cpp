@@ -84,4 +84,28 @@ ChosenSettings::ChosenSettings(const SettingsChoice& choice) : settings(with_all
     choice.apply_to(settings);
 }
 
+std::vector<std::string> view_arguments(const SceneView& view, double default_time) {
+    std::vector<std::string> arguments = {"--time", fmt::format("{}", view.time.value_or(default_time))};
+    if (!view.camera.empty()) {
+        arguments.insert(arguments.end(), {"--camera", view.camera});
+    }
+    if (!view.animation.empty()) {
+        arguments.insert(arguments.end(), {"--animation", view.animation});
+    }
+    if (!view.default_light) {
+        arguments.emplace_back("--no-default-light");
+    }
+    if (!view.variant.empty()) {
+        arguments.insert(arguments.end(), {"--variant", view.variant});
+    }
+    if (view.allow_outside) {
+        arguments.emplace_back("--allow-outside");
+    }
+    if (!view.environment.empty()) {
+        arguments.insert(arguments.end(), {"--environment", view.environment, "--environment-intensity",
+                                           fmt::format("{}", view.environment_intensity)});
+    }
+    return arguments;
+}
+
 }  // namespace lanthorn::tools

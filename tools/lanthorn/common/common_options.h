@@ -24,6 +24,9 @@ void add_camera_option(CLI::App& command, std::string& camera);
 // --time: what it is for, its default.
 void add_moment_options(CLI::App& command, SceneView& view, const std::string& of_time);
 
+// The options of a command that shows what `view` does; its time is given always.
+std::vector<std::string> view_arguments(const SceneView& view, double default_time);
+
 // What --preset, --settings and --set ask for.
 struct SettingsChoice {
     std::string preset, file;

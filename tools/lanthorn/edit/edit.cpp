@@ -1,12 +1,15 @@
 // lanthorn edit [SCENE]: the editor; with --script FILE its commands without a window.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "tools/editor/core/edit_script.h"
 #include "tools/editor/core/recovery_log.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/edit/beside.h"
 #include "tools/lanthorn/edit/edit_window.h"
 #include "tools/lanthorn/edit/recorded_state.h"
 
@@ -15,7 +18,8 @@ namespace lanthorn::tools {
 namespace {
 
 struct Options {
-    std::string scene, script, at;
+    std::string scene, script, at, against;
+    bool beside = false;
     SettingsChoice settings;
     std::string technique;
     SceneView view;
@@ -26,6 +30,18 @@ ExitCode run(const Options& options) {
     if (!options.at.empty() && options.scene.empty()) {
         throw InputError("--at: found no SCENE, expected the level that was recorded");
     }
+    if (options.at.empty() && options.beside) {
+        throw InputError("--beside: found no --at, expected FILE:STEP of a recording");
+    }
+    if (!options.beside && !options.against.empty()) {
+        throw InputError("--against: expected --beside with it");
+    }
+    edit_window::BesideShown shown;
+    if (options.beside) {
+        shown = beside(options.scene, options.at, options.against);
+        fmt::print("{}", beside_text(shown));
+        std::fflush(stdout);
+    }
     if (options.script.empty()) {
         EditWindowChoice window = options.window;
         window.scene = options.scene;
@@ -33,6 +49,7 @@ ExitCode run(const Options& options) {
         window.technique = options.technique;
         window.preset = options.settings.preset;
         window.at = options.at;
+        window.beside = std::move(shown);
         return open_edit_window(window);
     }
     ChosenSettings chosen(options.settings);
@@ -68,6 +85,14 @@ Command add_edit(CLI::App& app) {
                      "as a recorded session of the level leaves it after that step: one step of edits, seen "
                      "by the player's eyes")
         ->type_name("FILE:STEP");
+    command->add_flag("--beside", options->beside,
+                      "with --at: also what was expected there, by the state that the recording has of that "
+                      "step; where things were expected is drawn dashed");
+    command
+        ->add_option("--against", options->against,
+                     "of --beside: another build of this program, that which recorded it say, says what was "
+                     "expected")
+        ->type_name("PROGRAM");
     command->add_option("--technique", options->technique,
                         "indirect light of pictures (gi.technique; default: emc)");
     add_camera_option(*command, options->view.camera);

@@ -25,6 +25,7 @@ ExitCode open_edit_window(const EditWindowChoice& choice) {
     if (!choice.at.empty()) {
         options.opened = [at = choice.at](editor::EditSession& session) { show_recorded(session, at); };
     }
+    options.beside = choice.beside;
     options.play = play_command;
     options.played = played_scene;
     options.recent = shell::data_file("lanthorn", "recent-scenes");

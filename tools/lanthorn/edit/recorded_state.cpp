@@ -64,7 +64,7 @@ RecordedState recorded_state(const std::string& file, const std::string& level,
     return state;
 }
 
-void show_recorded(editor::EditSession& session, const std::string& at) {
+RecordedPlace recorded_place(const std::string& at) {
     const std::size_t colon = at.rfind(':');
     std::uint64_t step = 0;
     const auto is_step = [&] {
@@ -75,7 +75,11 @@ void show_recorded(editor::EditSession& session, const std::string& at) {
     if (colon == std::string::npos || colon == 0 || !is_step()) {
         throw InputError(fmt::format("--at: found '{}', expected FILE:STEP of a recording", at));
     }
-    const std::string file = at.substr(0, colon);
+    return {at.substr(0, colon), step};
+}
+
+void show_recorded(editor::EditSession& session, const std::string& at) {
+    const auto [file, step] = recorded_place(at);
     const RecordedState state = recorded_state(file, session.path().string(), step);
     std::vector<std::string> lines;
     for (const editor::PlayChange& change :

@@ -21,6 +21,13 @@ struct RecordedState {
 RecordedState recorded_state(const std::string& file, const std::string& level,
                              std::optional<std::uint64_t> step);
 
+// FILE:STEP. Throws InputError for anything else.
+struct RecordedPlace {
+    std::string file;
+    std::uint64_t step = 0;
+};
+RecordedPlace recorded_place(const std::string& at);
+
 // `at`: FILE:STEP, a recording of the file that the session has opened. What stands otherwise there becomes
 // one step, and the session looks from where the player did. Throws InputError.
 void show_recorded(editor::EditSession& session, const std::string& at);

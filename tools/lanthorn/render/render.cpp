@@ -26,8 +26,10 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/farm/farm_options.h"
 #include "tools/lanthorn/render/debug_views.h"
 #include "tools/lanthorn/render/outputs.h"
+#include "tools/lanthorn/render/path_pieces.h"
 #include "tools/lanthorn/render/render_stats.h"
 #include "tools/lanthorn/render/turntable.h"
 #include "tools/workbench/scene/stopping.h"
@@ -44,6 +46,7 @@ struct Options {
     std::optional<float> time_limit, target_noise;
     std::string play_budget;
     RenderJob job;
+    PieceChoice pieces;
     bool list_settings = false, list_aovs = false, print_schedule = false;
 };
 
@@ -62,6 +65,44 @@ void check_path_options(const Options& options, bool path) {
                                          options.job.debug_views.front()));
         }
     }
+}
+
+// A picture of pieces has a number of samples, and what is added up needs all of them.
+void check_pieces(const Options& options, const Settings& settings, bool path) {
+    if (options.pieces.pieces && !options.pieces.by_others()) {
+        throw InputError("--pieces: expected --executor or --jobs with it");
+    }
+    if (!options.pieces.by_others() && options.pieces.piece.empty()) {
+        return;
+    }
+    if (!path || !options.job.debug_views.empty()) {
+        throw InputError("--executor, --jobs: expected --technique path with it, and no debug views");
+    }
+    if (!options.checkpoint.empty() || settings.get<float>("path.time_limit") > 0 ||
+        settings.get<float>("path.target_noise") > 0) {
+        throw InputError(
+            "--executor, --jobs: found a checkpoint, a time limit or a target noise, expected a number of "
+            "samples alone (--spp)");
+    }
+}
+
+// What other processes are told of this one's picture.
+PieceCommand piece_command(const Options& options, const Settings& settings) {
+    SceneView view = options.job.view;
+    if (!view.environment.empty()) {
+        view.environment = std::filesystem::absolute(view.environment).string();
+    }
+    PieceCommand command{{std::filesystem::absolute(options.scene).string(), "--size", options.size},
+                         settings.to_json()};
+    const std::vector<std::string> shown = view_arguments(view, shown_time(options.job));
+    command.arguments.insert(command.arguments.end(), shown.begin(), shown.end());
+    if (!options.pose.empty()) {
+        command.arguments.insert(command.arguments.end(), {"--pose", options.pose});
+    }
+    for (const std::string& aov : options.aovs) {
+        command.arguments.insert(command.arguments.end(), {"--aov", aov});
+    }
+    return command;
 }
 
 void check_budget(const Options& options, bool path) {
@@ -168,6 +209,17 @@ SceneData scene_of(const Options& options, SceneView& view) {
     return scene;
 }
 
+// A piece is no picture: sums, in the file that -o names.
+ExitCode render_piece(const Options& options, const Settings& settings) {
+    RenderJob job = options.job;
+    const reference::PathPiece piece =
+        parse_piece(options.pieces.piece, job.size, settings.get<int>("path.spp"));
+    const StopSignal stop;
+    SceneData scene = scene_of(options, job.view);
+    path_trace_piece(std::move(scene), settings, job, piece, options.output, [](double) {});
+    return ExitCode::ok;
+}
+
 ExitCode turn(const Options& options, const Settings& settings) {
     TurntableJob job;
     job.size = options.job.size;
@@ -183,8 +235,15 @@ ExitCode turn(const Options& options, const Settings& settings) {
     return ExitCode::ok;
 }
 
-RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
+RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings,
+                          const PieceCommand& command) {
     const RenderJob& job = options.job;
+    if (options.pieces.by_others()) {
+        return path_trace_scene(std::move(scene), settings, job, [&](reference::PathTracer& tracer) {
+            trace_in_pieces(tracer, job.size, settings.get<int>("path.spp"), command, options.pieces,
+                            options.output + ".pieces");
+        });
+    }
     if (technique_of(settings).is_reference && job.debug_views.empty()) {
         constexpr double kSteps = 1e4;
         Progress progress("tracing paths", static_cast<std::uint64_t>(kSteps));
@@ -235,7 +294,9 @@ ExitCode render(Options options) {
         read_budget(job.budget, options.play_budget);
     }
     job.timing = !options.stats.empty() || !options.trace.empty() || job.budget.any();
-    std::vector<Output> outputs = plan_outputs(options.aovs, options.output, technique_of(settings));
+    const bool is_piece = !options.pieces.piece.empty();
+    std::vector<Output> outputs =
+        plan_outputs(options.aovs, is_piece ? "piece.exr" : options.output, technique_of(settings));
     std::ranges::stable_partition(outputs, [](const Output& o) { return o.kind != nullptr; });
     job.aovs.clear();
     for (const Output& output : outputs) {
@@ -247,6 +308,10 @@ ExitCode render(Options options) {
     }
     check_path_options(options, technique_of(settings).is_reference);
     check_budget(options, technique_of(settings).is_reference);
+    check_pieces(options, settings, technique_of(settings).is_reference);
+    if (is_piece) {
+        return render_piece(options, settings);
+    }
     for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
         if (!path.empty()) {
             check_writable(path);
@@ -255,10 +320,11 @@ ExitCode render(Options options) {
 
     const StopSignal stop;
     const auto start = std::chrono::steady_clock::now();
+    const PieceCommand command = piece_command(options, settings);  // before the pose's camera is in the view
     SceneData scene = scene_of(options, job.view);
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
     stop_if_asked("render", "nothing is written");
-    RenderOutcome outcome = render_with(options, std::move(scene), settings);
+    RenderOutcome outcome = render_with(options, std::move(scene), settings, command);
     const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
     tell_transport(outcome, settings);
     // A file that cannot be written takes no other with it: hours may lie in them.
@@ -365,6 +431,12 @@ Command add_render(CLI::App& app) {
                       "--budget-ms is of processor time of all threads, which other programs hardly alter");
     command->add_option("--play-budget", options->play_budget,
                         "decide as a run before did, by the file that it wrote with --stats");
+    add_farm_options(*command, options->pieces.farm);
+    command
+        ->add_option("--pieces", options->pieces.pieces,
+                     "path: in how many pieces at least other processes trace it (default: 16)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--piece", options->pieces.piece)->group("");
     command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
     command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
     command->add_flag("--list-aovs", options->list_aovs, "print the debug views of each technique");

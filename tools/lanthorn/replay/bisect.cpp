@@ -145,6 +145,7 @@ struct Found {
     std::optional<replay::Divergence> first;
     std::optional<Cause> cause;
     std::string other;  // what the cause was held against
+    std::string open;   // the command that shows both; empty: there is no other world to show
     std::vector<std::string> suspects;
 };
 
@@ -180,9 +181,14 @@ Found find(const Options& options) {
         const auto reference = program_reference(options.against, level->path);
         found.cause = find_cause(*level, *recording, found.first->step, {}, *reference, kMost);
         found.other = options.against;
+        found.open = fmt::format("lanthorn edit {} --at {}:{} --beside --against {}", level->path,
+                                 options.file, found.first->step + 1, options.against);
     } else {
         found.cause = by_stored_state(*level, options.file, recording, found.first->step);
         found.other = "the state in the file";
+        found.open = found.cause ? fmt::format("lanthorn edit {} --at {}:{} --beside", level->path,
+                                               options.file, found.cause->step)
+                                 : "";
     }
     if (!found.cause || found.cause->system.empty()) {
         found.suspects = suspects(*level, options.file, recording, *found.first);
@@ -231,6 +237,9 @@ void print(const Found& found, const Options& options, double step_rate) {
                        found.cause->step, found.other);
         }
         print_fields(*found.cause, options.all);
+        if (!found.open.empty()) {
+            fmt::print("open      {}\n", found.open);
+        }
     } else {
         fmt::print(
             "field     not known without another state; --against PROGRAM, the build that recorded it, "
@@ -248,6 +257,7 @@ nlohmann::ordered_json json_of(const Found& found) {
     json["system"] = found.cause ? found.cause->system : "";
     json["suspects"] = found.suspects;
     json["against"] = found.cause ? found.other : "";
+    json["open"] = found.open;
     json["fields"] = nlohmann::ordered_json::array();
     if (found.cause) {
         json["fields_at_step"] = found.cause->step;

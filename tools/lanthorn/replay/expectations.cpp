@@ -45,6 +45,14 @@ ecs::Entity called(const ecs::World& world, const std::string& name) {
 
 }  // namespace
 
+bool is_told_within(const std::string& line, std::uint64_t steps) {
+    const std::vector<std::string> words = words_of(line);
+    const std::size_t n = words.size();
+    const auto last =
+        n >= 3 && words[n - 2] == "before" ? number_of<std::uint64_t>(words[n - 1]) : std::nullopt;
+    return last && *last <= steps;
+}
+
 Expectations::Expectations(const std::string& file, const std::vector<std::string>& lines) : file_(file) {
     for (const std::string& line : lines) {
         std::vector<std::string> words = words_of(line);

@@ -13,6 +13,9 @@
 
 namespace lanthorn::tools {
 
+// Whether the first `steps` steps of a session tell if a line holds: they do if it says `before` one of them.
+bool is_told_within(const std::string& line, std::uint64_t steps);
+
 class Expectations {
   public:
     // WHAT [before STEP | after STEP]: that WHAT holds for the first time before or after so many steps, or

@@ -47,14 +47,16 @@ class Finder {
     Finder(std::size_t most, std::vector<FieldDifference>& all) : most_(most), all_(all) {}
 
     bool full() const { return all_.size() >= most_; }
-    void place(std::string part, std::string entity) {
+    // Where what is compared next belongs.
+    void place(std::string part, std::string entity, ecs::Entity id = ecs::kNullEntity) {
         part_ = std::move(part);
         entity_ = std::move(entity);
+        id_ = id;
     }
     void add(const std::string& field, std::string found, std::string expected, int sign = 0,
              std::uint64_t ulps = 0) {
         if (!full()) {
-            all_.push_back({part_, entity_, field, std::move(found), std::move(expected), sign, ulps});
+            all_.push_back({part_, entity_, field, std::move(found), std::move(expected), sign, ulps, id_});
         }
     }
     void compare(const ValueType& type, const Field* field, const void* found, const void* expected,
@@ -150,6 +152,7 @@ class Finder {
     std::size_t most_;
     std::vector<FieldDifference>& all_;
     std::string part_, entity_;
+    ecs::Entity id_;
 };
 
 std::set<ecs::Entity> entities_of(const ecs::World& world) {
@@ -178,7 +181,7 @@ std::vector<FieldDifference> field_differences(const ecs::Registry& registry, co
     entities.merge(entities_of(expected));
     for (const ecs::Entity e : entities) {
         if (found.alive(e) != expected.alive(e)) {
-            finder.place("entities", words_of(found.alive(e) ? found : expected, e));
+            finder.place("entities", words_of(found.alive(e) ? found : expected, e), e);
             finder.add("", found.alive(e) ? "alive" : "none", found.alive(e) ? "none" : "alive");
         }
     }
@@ -192,7 +195,7 @@ std::vector<FieldDifference> field_differences(const ecs::Registry& registry, co
             if (a == nullptr && b == nullptr) {
                 continue;
             }
-            finder.place(type.name, words_of(a != nullptr ? found : expected, e));
+            finder.place(type.name, words_of(a != nullptr ? found : expected, e), e);
             if (a == nullptr || b == nullptr) {
                 finder.add("", a != nullptr ? "there" : "none", b != nullptr ? "there" : "none");
             } else {

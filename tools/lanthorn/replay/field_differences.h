@@ -17,6 +17,7 @@ struct FieldDifference {
     std::string found, expected;
     int sign = 0;            // of found - expected, where both are numbers
     std::uint64_t ulps = 0;  // between floating-point numbers of one sign; 0: does not apply
+    ecs::Entity id;          // of `entity`; null: of a resource
 
     // "body_motion.angular.y"
     std::string name() const { return field.empty() ? part : part + "." + field; }

@@ -1,6 +1,5 @@
 // `lanthorn replay suite`, and `suite-slice`, which a farm's tasks run.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
+#include "tools/lanthorn/farm/farm_options.h"
 #include "tools/lanthorn/replay/level_file.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 #include "tools/replay_suite/files.h"
@@ -41,13 +41,6 @@ std::string level_of_recording(const std::string& file) {
     }
 }
 
-// The program itself: nodes of a farm find it by its path.
-std::string own_path() {
-    std::error_code error;
-    const fs::path path = fs::read_symlink("/proc/self/exe", error);
-    return error ? "/proc/self/exe" : path.string();
-}
-
 // The command as it was called, to be copied.
 std::string command_line() {
     std::string text, all = suite::read_if_there("/proc/self/cmdline");
@@ -63,7 +56,7 @@ std::string command_line() {
 
 ExitCode run(Options& options) {
     suite::SuiteOptions& o = options.suite;
-    o.program = own_path();
+    o.program = program_path();
     o.build = build_words();
     o.command = command_line();
     if (o.today.empty()) {
@@ -156,7 +149,7 @@ ExitCode run_task(const std::string& plan, std::size_t slice) {
 Command add_replay_suite(CLI::App& app) {
     auto options = std::make_shared<Options>();
     suite::SuiteOptions& o = options->suite;
-    o.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    o.farm.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     o.output = "out/replay-suite";
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     o.limits.memory_mib = 0;  // sanitizers reserve address space beyond any limit
@@ -169,19 +162,7 @@ Command add_replay_suite(CLI::App& app) {
     command->add_option("--only", o.only, "names of recordings to take, separated by commas (default: all)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command
-        ->add_option("--executor", o.executor, "local: processes of this machine; slurm: tasks of a cluster")
-        ->check(CLI::IsMember({"local", "slurm"}))
-        ->capture_default_str();
-    command
-        ->add_option("--jobs", o.jobs,
-                     "processes at a time, of --executor local (default: the processor's threads)")
-        ->check(CLI::Range(1, 1024));
-    command->add_option("--slice-seconds", o.slice_seconds, "work of a task of --executor slurm")
-        ->check(CLI::Range(0.1, 36000.0))
-        ->capture_default_str();
-    command->add_option("--sbatch", o.sbatch, "an option of sbatch, repeatable: --sbatch=--partition=night")
-        ->allow_extra_args(false);
+    add_farm_options(*command, o.farm);
     command->add_flag("--resume", o.resume,
                       "keep the results of an earlier run that still hold: goes on after a kill");
     command

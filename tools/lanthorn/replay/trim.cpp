@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lanthorn/core/error.h"
+#include "tools/lanthorn/replay/expectations.h"
 #include "tools/lanthorn/replay/minimise.h"
 #include "tools/lanthorn/replay/reduce_steps.h"
 #include "tools/lanthorn/replay/replay_commands.h"
@@ -58,6 +59,8 @@ ExitCode trim(const Options& options) {
         const auto behind = [&](const auto& one) { return one.step > *options.to; };
         std::erase_if(recording.annotations.marks, behind);
         std::erase_if(recording.annotations.states, behind);
+        std::erase_if(recording.annotations.expectations,
+                      [&](const std::string& line) { return !is_told_within(line, *options.to); });
     }
     if (options.minimise) {
         const auto level = read_level(options.file, recording.header, options.level);

@@ -19,6 +19,7 @@
 #include "lanthorn/workbench/trade_measure.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/farm/farm_options.h"
 #include "tools/lanthorn/trade/advice_command.h"
 #include "tools/lanthorn/trade/trade_children.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -119,6 +120,36 @@ std::vector<TradeResult> without_seeds(const std::vector<TradeResult>& results, 
     return points;
 }
 
+// Has the points that are missing measured by other processes, and says of each what became of it.
+PointRunner measured_by_others(const std::vector<TradePoint>& points, const std::vector<fs::path>& stems,
+                               const Options& options, const TradeFolder& folder,
+                               const SettingsSchema& schema) {
+    constexpr double kStartSeconds = 5, kFrameSeconds = 0.5;
+    std::vector<suite::FarmTask> tasks;
+    std::vector<fs::path> of_task;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!is_finished(stems[i]) && std::ranges::find(of_task, stems[i]) == of_task.end()) {
+            const fs::path stem = fs::absolute(stems[i]);
+            std::error_code ignored;
+            fs::remove(stem.string() + ".json", ignored);  // damaged, or without its picture
+            tasks.push_back({point_command(points[i], options, folder.references(points[i], schema), stem),
+                             stem.string() + ".json",
+                             kStartSeconds + kFrameSeconds * (options.job.frames + options.job.warmup)});
+            of_task.push_back(stems[i]);
+        }
+    }
+    const suite::FarmReport report =
+        do_tasks(tasks, options.farm, folder.file("farm").string(), "measuring points", true);
+    std::map<std::string, ChildOutcome> outcomes;
+    for (const auto& [task, loss] : report.lost) {
+        outcomes[of_task[task].string()] = {loss.code, 0, loss.why};
+    }
+    return [outcomes](const TradePoint&, const fs::path& stem) {
+        const auto found = outcomes.find(stem.string());
+        return found == outcomes.end() ? ChildOutcome() : found->second;
+    };
+}
+
 ExitCode trade(Options options) {
     if (!options.advice.from.empty()) {
         if (!options.output.empty()) {
@@ -158,12 +189,15 @@ ExitCode trade(Options options) {
         }
         progress.update(++done);
     }
+    PointRunner runner = [&](const TradePoint& point, const fs::path& stem) {
+        return run_own(point_command(point, options, folder.references(point, schema), stem));
+    };
+    if (options.by_others() && !stop.asked()) {
+        runner = measured_by_others(points, stems, options, folder, schema);
+    }
     TradeRun run = run_points(
-        points, stems,
-        [&](const TradePoint& point, const fs::path& stem) {
-            return run_own(point_command(point, options, folder.references(point, schema), stem));
-        },
-        [&](std::size_t n) { progress.update(done + n); }, [&] { return stop.asked(); });
+        points, stems, runner, [&](std::size_t n) { progress.update(done + n); },
+        [&] { return stop.asked(); });
 
     run.results = without_seeds(run.results, options.seeds);
     write_reports(folder, options, run.results);
@@ -269,6 +303,7 @@ Command add_trade(CLI::App& app) {
     command->add_option("--reference-spp", options->reference_spp, "samples a pixel of the references")
         ->check(CLI::Range(2, 1000000))
         ->capture_default_str();
+    add_farm_options(*command, options->farm);
     command->add_option("--thumbnail", options->thumbnail, "width in pixels of the page's pictures")
         ->check(CLI::Range(8, 1024))
         ->capture_default_str();

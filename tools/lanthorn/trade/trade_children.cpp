@@ -16,31 +16,6 @@ namespace {
 
 constexpr int kReferenceSeed = 7001;  // of no point's photons or paths
 
-// For a command that shows what `view` does; its time is given always.
-std::vector<std::string> view_arguments(const SceneView& view) {
-    std::vector<std::string> arguments = {"--time", fmt::format("{}", view.time.value_or(0))};
-    if (!view.camera.empty()) {
-        arguments.insert(arguments.end(), {"--camera", view.camera});
-    }
-    if (!view.animation.empty()) {
-        arguments.insert(arguments.end(), {"--animation", view.animation});
-    }
-    if (!view.default_light) {
-        arguments.emplace_back("--no-default-light");
-    }
-    if (!view.variant.empty()) {
-        arguments.insert(arguments.end(), {"--variant", view.variant});
-    }
-    if (view.allow_outside) {
-        arguments.emplace_back("--allow-outside");
-    }
-    if (!view.environment.empty()) {
-        arguments.insert(arguments.end(), {"--environment", view.environment, "--environment-intensity",
-                                           fmt::format("{}", view.environment_intensity)});
-    }
-    return arguments;
-}
-
 }  // namespace
 
 ChildOutcome run_own(const std::vector<std::string>& arguments) {
@@ -89,8 +64,18 @@ void make_reference(const TradeFolder& folder, const TradeOptions& options, cons
         for (const std::string& assignment : of_references(options)) {
             command.insert(command.end(), {"--set", assignment});
         }
-        const std::vector<std::string> view = view_arguments(listed.view);
+        const std::vector<std::string> view = view_arguments(listed.view, 0);
         command.insert(command.end(), view.begin(), view.end());
+        if (options.by_others()) {
+            command.insert(
+                command.end(),
+                {"--executor", options.farm.executor.empty() ? std::string("local") : options.farm.executor,
+                 "--jobs", std::to_string(options.farm.jobs), "--slice-seconds",
+                 fmt::format("{}", options.farm.slurm.slice_seconds)});
+            for (const std::string& option : options.farm.slurm.sbatch) {
+                command.push_back("--sbatch=" + option);
+            }
+        }
         const ChildOutcome outcome = run_own(command);
         if (stop.asked() || !outcome.ok()) {
             std::error_code ignored;
@@ -118,7 +103,7 @@ std::vector<std::string> point_command(const TradePoint& point, const TradeOptio
     const TradeMeasurement& job = options.job;
     std::vector<std::string> command = {"trade-point",   point.scene, "--technique",
                                         point.technique, "--preset",  point.preset};
-    const std::vector<std::string> view = view_arguments(job.view);
+    const std::vector<std::string> view = view_arguments(job.view, 0);
     command.insert(command.end(), view.begin(), view.end());
     const std::pair<const char*, int> numbers[] = {{"--width", job.size.x},
                                                    {"--height", job.size.y},

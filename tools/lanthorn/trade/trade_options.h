@@ -7,6 +7,7 @@
 #include "lanthorn/workbench/trade_measure.h"
 #include "lanthorn/workbench/trade_point.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/replay_suite/farm_tasks.h"
 
 namespace lanthorn::tools {
 
@@ -18,6 +19,9 @@ struct TradeOptions {
     int reference_spp = 256;
     int thumbnail = 96;  // pixels, width
     int seeds = 1;
+    suite::FarmChoice farm{"", 1, {}};  // executor empty and one job: here, one after the other
+
+    bool by_others() const { return !farm.executor.empty() || farm.jobs > 1; }
 };
 
 // "KEY=VALUE" of `options` that hold for the references too: those of the path tracer that say what light

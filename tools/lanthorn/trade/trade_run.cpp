@@ -50,6 +50,11 @@ void check_room(const fs::path& stem) {
 
 }  // namespace
 
+bool is_finished(const fs::path& stem) {
+    TradeResult ignored;
+    return load(stem, ignored);
+}
+
 TradeRun run_points(const std::vector<TradePoint>& points, const std::vector<fs::path>& stems,
                     const PointRunner& runner, const std::function<void(std::size_t)>& progressed,
                     const std::function<bool()>& stop) {

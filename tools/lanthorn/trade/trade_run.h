@@ -16,6 +16,9 @@ namespace lanthorn::tools {
 // became of it is the return value.
 using PointRunner = std::function<ChildOutcome(const TradePoint& point, const std::filesystem::path& stem)>;
 
+// Whether a point has left both.
+bool is_finished(const std::filesystem::path& stem);
+
 struct TradeRun {
     std::vector<TradeResult> results;  // one a point, in order; fewer if it was interrupted
     std::size_t kept = 0;              // of them, finished before this run

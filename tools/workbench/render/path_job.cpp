@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "engine/gpu/memory.h"
 #include "lanthorn/core/error.h"
@@ -82,6 +83,10 @@ void save(const PathTracer& tracer, const std::string& checkpoint, RenderOutcome
     }
 }
 
+std::vector<FrameTiming> timing_of(double seconds) {
+    return {{0, 1e3 * seconds, {{"path", 0, 1e3 * seconds}}, {}}};
+}
+
 void trace(PathTracer& tracer, const std::string& checkpoint, const std::function<void(double)>& progressed,
            RenderOutcome& outcome) {
     Clock::time_point saved = Clock::now();
@@ -101,34 +106,34 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
     };
     const reference::PathProgress progress = tracer.render(control);
     outcome.interrupted = StopSignal::asked();
-    outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}, {}}};
+    outcome.frames = timing_of(progress.seconds);
 }
 
-}  // namespace
-
-RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
-                               const std::string& checkpoint, const std::function<void(double)>& progressed) {
-    ShownScene shown(std::move(scene), job.view);
-    shown.show_at(shown_time(job));
-    const FrameScene& frame = shown.frame();
-    const auto wants = [&](PathAov aov) {
-        return std::ranges::any_of(job.aovs, [&](Aov a) { return path_aov(a) == aov; });
-    };
-    PathTracer tracer(frame, job.size, reference::path_settings(settings),
-                      {wants(PathAov::indirect), wants(PathAov::direct), wants(PathAov::radiance)});
-    if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) {
-        tracer.resume(checkpoint);
+// The tracer of a job's picture, in the moment that it shows.
+class JobTracer {
+  public:
+    JobTracer(SceneData scene, const Settings& settings, const RenderJob& job)
+        : shown_(std::move(scene), job.view) {
+        shown_.show_at(shown_time(job));
+        const auto wants = [&](PathAov aov) {
+            return std::ranges::any_of(job.aovs, [&](Aov a) { return path_aov(a) == aov; });
+        };
+        tracer_.emplace(
+            shown_.frame(), job.size, reference::path_settings(settings),
+            reference::PathParts{wants(PathAov::indirect), wants(PathAov::direct), wants(PathAov::radiance)});
     }
-    RenderOutcome outcome;
+    PathTracer& tracer() { return *tracer_; }
+
+  private:
+    ShownScene shown_;
+    std::optional<PathTracer> tracer_;
+};
+
+// The pictures of what was traced, into the outcome.
+void take_pictures(const PathTracer& tracer, const Settings& settings, const RenderJob& job,
+                   RenderOutcome& outcome) {
     outcome.technique = "path";
     outcome.gi.plan.bounces = settings.get<int>("gi.bounces");
-    trace(tracer, checkpoint, progressed, outcome);
-    if (tracer.spp() == 0) {
-        throw Stopped("path", "before the first sample, nothing is written");
-    }
-    if (!checkpoint.empty()) {
-        save(tracer, checkpoint, outcome);
-    }
     for (const Aov aov : job.aovs) {
         const PathAov from = path_aov(aov);
         std::vector<float> pixels = tracer.image(from);
@@ -143,7 +148,51 @@ RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const 
         image.metadata["seconds"] = fmt::format("{:.3f}", outcome.frames.front().ms * 1e-3);
     }
     outcome.nan_count = tracer.nan_count();
+}
+
+}  // namespace
+
+RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                               const std::string& checkpoint, const std::function<void(double)>& progressed) {
+    JobTracer traced(std::move(scene), settings, job);
+    PathTracer& tracer = traced.tracer();
+    if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) {
+        tracer.resume(checkpoint);
+    }
+    RenderOutcome outcome;
+    trace(tracer, checkpoint, progressed, outcome);
+    if (tracer.spp() == 0) {
+        throw Stopped("path", "before the first sample, nothing is written");
+    }
+    if (!checkpoint.empty()) {
+        save(tracer, checkpoint, outcome);
+    }
+    take_pictures(tracer, settings, job, outcome);
     return outcome;
+}
+
+RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                               const std::function<void(PathTracer&)>& trace) {
+    JobTracer traced(std::move(scene), settings, job);
+    const Clock::time_point start = Clock::now();
+    trace(traced.tracer());
+    RenderOutcome outcome;
+    outcome.frames = timing_of(std::chrono::duration<double>(Clock::now() - start).count());
+    take_pictures(traced.tracer(), settings, job, outcome);
+    return outcome;
+}
+
+void path_trace_piece(SceneData scene, const Settings& settings, const RenderJob& job,
+                      const reference::PathPiece& piece, const std::string& file,
+                      const std::function<void(double)>& progressed) {
+    JobTracer traced(std::move(scene), settings, job);
+    const auto go_on = [&](const reference::PathProgress& progress) {
+        progressed(progress.share);
+        return !StopSignal::asked();
+    };
+    if (!traced.tracer().trace_piece(piece, file, {go_on})) {
+        throw Stopped("path", "no piece is written");
+    }
 }
 
 }  // namespace lanthorn::workbench

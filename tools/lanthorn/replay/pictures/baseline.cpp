@@ -83,6 +83,7 @@ Baseline baseline_of(const json& from, const std::string& file) {
         figures.light = of_seed.numbers("light");
         figures.detail = of_seed.numbers("detail");
     }
+    b.direct = members.numbers("direct");
     for (const json& error : members.of("light_errors", "a list", &json::is_array)) {
         const std::vector<double> pair =
             error.is_array() ? members.numbers_in(error, "light_errors") : std::vector<double>();
@@ -105,11 +106,17 @@ json json_of(const Baseline& b) {
     for (const LightError& error : b.errors) {
         errors.push_back({error.relrmse, error.flux});
     }
-    return {{"width", b.view.size.x},  {"height", b.view.size.y},
-            {"frames", b.view.frames}, {"seed", b.view.seed},
-            {"preset", b.view.preset}, {"seeds", seeds},
-            {"light_errors", errors},  {"build", b.build},
-            {"reason", b.reason},      {"day", b.day}};
+    return {{"width", b.view.size.x},
+            {"height", b.view.size.y},
+            {"frames", b.view.frames},
+            {"seed", b.view.seed},
+            {"preset", b.view.preset},
+            {"seeds", seeds},
+            {"direct", b.direct},
+            {"light_errors", errors},
+            {"build", b.build},
+            {"reason", b.reason},
+            {"day", b.day}};
 }
 
 }  // namespace

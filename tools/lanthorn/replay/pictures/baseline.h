@@ -23,6 +23,7 @@ struct Baseline {
     ImageF shown;  // of MarkView::seed
     // By seed, from MarkView::seed on, kSeeds of them.
     std::vector<PictureFigures> figures;
+    std::vector<double> direct;  // light_of_tiles() of direct light alone
     // By seed, from MarkView::seed on, of kLightSize (light_check.h); empty: not measured.
     std::vector<LightError> errors;
     std::string build, reason, day;  // that made it, why it is as it is, "2026-12-31"

@@ -164,6 +164,18 @@ ImageF MarkArtist::indirect(const MarkedMoment& at, const MarkView& view,
     return replayed->app().world().resource<Renderer>().frame->read(render::Aov::indirect);
 }
 
+ImageF MarkArtist::direct(const MarkedMoment& at, const MarkView& view,
+                          const std::function<void(App&)>& alter) const {
+    const std::unique_ptr<ReplayedLevel> replayed = open(at, view);
+    App& app = replayed->app();
+    app.world().resource_mut<gi::GiSettings>().technique = gi::TechniqueKind::none;
+    if (alter) {
+        alter(app);
+    }
+    show(app, at, 1);
+    return app.world().resource<Renderer>().frame->read(render::Aov::radiance);
+}
+
 workbench::ReferencePair MarkArtist::truth(const MarkedMoment& at, const MarkView& view, int spp) const {
     const std::unique_ptr<ReplayedLevel> replayed = this->at(at, view);
     SettingsSchema schema;

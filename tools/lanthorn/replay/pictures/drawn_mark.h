@@ -55,7 +55,10 @@ class MarkArtist {
     // The irradiance of indirect light there, lux, as the technique has it.
     ImageF indirect(const MarkedMoment& at, const MarkView& view,
                     const std::function<void(App&)>& alter = {}) const;
-    // The same by the path tracer, `spp` samples a pixel in two independent halves.
+    // Direct light alone, nits. Nothing of it is sampled: it has no noise, whatever the seed.
+    ImageF direct(const MarkedMoment& at, const MarkView& view,
+                  const std::function<void(App&)>& alter = {}) const;
+    // Indirect light by the path tracer, `spp` samples a pixel in two independent halves.
     workbench::ReferencePair truth(const MarkedMoment& at, const MarkView& view, int spp) const;
 
     // The level's App in that state and with that view's plugins, before its first frame. `moved`: gets what

@@ -39,6 +39,14 @@ class Checker {
     FaultTargets targets_of(const MarkedMoment& at, const MarkView& view) const {
         return choice_.fault ? fault_targets(artist_, at, view) : FaultTargets();
     }
+    // Makes the fault in a world that is to be drawn.
+    std::function<void(App&)> faulty(const FaultTargets& targets) const {
+        return [this, &targets](App& app) {
+            if (choice_.fault) {
+                make_fault(*choice_.fault, targets, app);
+            }
+        };
+    }
     MarkPicture drawn(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets) const;
     std::string judged(const MarkedMoment& at, const Baseline& baseline, MarkView view,
                        const FaultTargets& targets, const MarkPicture& first, PictureVerdict& verdict) const;
@@ -119,7 +127,17 @@ std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, Ma
                             const FaultTargets& targets, const MarkPicture& first,
                             PictureVerdict& verdict) const {
     const std::string name = baseline_file(file_, at.mark.name).string();
+    const ImageF direct = artist_.direct(at, view, faulty(targets));
+    const std::vector<double> direct_light = light_of_tiles(direct);
+    const FigureDifference brighter =
+        direct_difference(baseline.direct, direct_light, baseline.figures.at(0).columns, name);
     const PictureDifference found = picture_difference(first.shown, baseline.shown, name);
+    verdict.flip = found.flip;
+    if (std::abs(brighter.change) > kDirectLight) {
+        verdict.text = difference_words(found);
+        return fmt::format("{} {:+.1f} % in tile ({}, {})", brighter.figure, 100 * brighter.change,
+                           brighter.x, brighter.y);
+    }
     std::vector<PictureFigures> figures{picture_figures(first.shown, first.radiance)};
     PictureDifference floor;
     while (figures.size() < static_cast<std::size_t>(kSeeds)) {
@@ -128,8 +146,8 @@ std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, Ma
         figures.push_back(picture_figures(picture.shown, picture.radiance));
         floor.widen(picture_difference(picture.shown, first.shown, name));
     }
-    verdict.flip = found.flip;
-    verdict.text = fmt::format("{} (other seeds: {})", difference_words(found), difference_words(floor));
+    verdict.text = fmt::format("{} (other seeds: {}), direct light {:+.3f} % at most",
+                               difference_words(found), difference_words(floor), 100 * brighter.change);
     const FigureDifference sure = sure_difference(baseline.figures, figures, name);
     if (!sure.figure.empty()) {
         return fmt::format(
@@ -143,13 +161,7 @@ std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, Ma
 
 LightError Checker::error(const MarkedMoment& at, const MarkView& view, const FaultTargets& targets,
                           const workbench::ReferencePair& truth) const {
-    return light_error(artist_.indirect(at, view,
-                                        [&](App& app) {
-                                            if (choice_.fault) {
-                                                make_fault(*choice_.fault, targets, app);
-                                            }
-                                        }),
-                       truth);
+    return light_error(artist_.indirect(at, view, faulty(targets)), truth);
 }
 
 PictureVerdict Checker::light(const MarkedMoment& at, PictureVerdict verdict) const {
@@ -167,23 +179,13 @@ PictureVerdict Checker::light(const MarkedMoment& at, PictureVerdict verdict) co
         verdict.fault = fault_words(*choice_.fault, targets);
     }
     const workbench::ReferencePair truth = artist_.truth(at, view, kLightSpp);
-    std::vector<LightError> now;
-    LightComparison comparison;
-    const std::size_t most = std::min<std::size_t>(baseline->errors.size(), kMostSeeds);
-    while (now.size() < most) {
-        now.push_back(error(at, view, targets, truth));
+    const LightComparison comparison = compare_until_sure(baseline->errors, [&] {
+        const LightError found = error(at, view, targets, truth);
         ++view.seed;
-        if (now.size() < kLeastSeeds) {
-            continue;
-        }
-        comparison = compare_light(baseline->errors, now);
-        if (comparison.verdict != LightVerdict::undecided) {
-            break;
-        }
-    }
+        return found;
+    });
     verdict.light_failed = comparison.verdict == LightVerdict::worse;
-    verdict.light =
-        fmt::format("{}: {}", verdict_word(comparison.verdict), light_words(comparison, now.size()));
+    verdict.light = fmt::format("{}: {}", verdict_word(comparison.verdict), light_words(comparison));
     return verdict;
 }
 
@@ -275,7 +277,8 @@ void make_baselines(const std::shared_ptr<const LevelFile>& level, const std::st
     const MarkArtist artist(level, file, recording);
     for (const MarkedMoment& at :
          marked_moments(*level, file, recording, chosen_marks(file, *recording, marks))) {
-        Baseline baseline{view, {}, {}, {}, build_words(), reason, day};
+        Baseline baseline{view,          {},     {}, light_of_tiles(artist.direct(at, view)), {},
+                          build_words(), reason, day};
         for (MarkView one = view; baseline.figures.size() < static_cast<std::size_t>(kSeeds); ++one.seed) {
             const MarkPicture picture = artist.draw(at, one);
             if (picture.nan_count > 0 || !all_finite(picture.radiance)) {

@@ -23,7 +23,8 @@ struct PictureChoice {
 };
 
 // Checks "pictures" and "light", in this order, as far as they are chosen. A picture that is equal to the
-// bit is right. Of one that is not, kSeeds pictures are drawn: light and detail of its tiles must not differ
+// bit is right. Of one that is not, direct light, which has no noise, must be as it was (direct_difference).
+// Then kSeeds pictures are drawn: light and detail of its tiles must not differ
 // for sure from those of the same seeds before (sure_difference), and it must not look farther from the
 // expected picture than those of other seeds do from it. A baseline that is missing fails, and the picture is
 // written where `out` says. Throws InputError for marks and baselines that cannot be read, Error without

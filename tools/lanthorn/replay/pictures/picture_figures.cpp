@@ -20,6 +20,20 @@ double luminance(const ImageF& image, int x, int y) {
     return 0.2126 * image.at(x, y, 0) + 0.7152 * image.at(x, y, 1) + 0.0722 * image.at(x, y, 2);
 }
 
+int tiles_across(int pixels) {
+    return (pixels + kTilePixels - 1) / kTilePixels;
+}
+
+// visit(x0, y0, x1, y1), row by row from the top.
+template <class Visit>
+void for_each_tile(const ImageF& image, const Visit& visit) {
+    for (int y0 = 0; y0 < image.height; y0 += kTilePixels) {
+        for (int x0 = 0; x0 < image.width; x0 += kTilePixels) {
+            visit(x0, y0, std::min(x0 + kTilePixels, image.width), std::min(y0 + kTilePixels, image.height));
+        }
+    }
+}
+
 double mean_of(const std::vector<double>& values) {
     return values.empty()
                ? 0
@@ -56,28 +70,53 @@ double PictureFigures::mean_light() const {
 }
 
 PictureFigures picture_figures(const ImageF& shown, const ImageF& radiance) {
-    const auto tiles = [](int pixels) { return (pixels + kTilePixels - 1) / kTilePixels; };
-    PictureFigures figures{tiles(shown.width), {}, {}};
-    for (int y0 = 0; y0 < shown.height; y0 += kTilePixels) {
-        for (int x0 = 0; x0 < shown.width; x0 += kTilePixels) {
-            const int x1 = std::min(x0 + kTilePixels, shown.width),
-                      y1 = std::min(y0 + kTilePixels, shown.height);
-            double light = 0, detail = 0;
-            int steps = 0;
-            for (int y = y0; y < y1; ++y) {
-                for (int x = x0; x < x1; ++x) {
-                    light += luminance(radiance, x, y);
-                    if (x + 1 < x1) {
-                        detail += std::abs(luminance(shown, x + 1, y) - luminance(shown, x, y));
-                        ++steps;
-                    }
-                }
+    PictureFigures figures{tiles_across(shown.width), light_of_tiles(radiance), {}};
+    for_each_tile(shown, [&](int x0, int y0, int x1, int y1) {
+        double detail = 0;
+        int steps = 0;
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x + 1 < x1; ++x) {
+                detail += std::abs(luminance(shown, x + 1, y) - luminance(shown, x, y));
+                ++steps;
             }
-            figures.light.push_back(light / ((x1 - x0) * (y1 - y0)));
-            figures.detail.push_back(steps > 0 ? detail / steps : 0);
+        }
+        figures.detail.push_back(steps > 0 ? detail / steps : 0);
+    });
+    return figures;
+}
+
+std::vector<double> light_of_tiles(const ImageF& radiance) {
+    std::vector<double> tiles;
+    for_each_tile(radiance, [&](int x0, int y0, int x1, int y1) {
+        double light = 0;
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) {
+                light += luminance(radiance, x, y);
+            }
+        }
+        tiles.push_back(light / ((x1 - x0) * (y1 - y0)));
+    });
+    return tiles;
+}
+
+FigureDifference direct_difference(const std::vector<double>& before, const std::vector<double>& now,
+                                   int columns, const std::string& what) {
+    if (before.size() != now.size()) {
+        throw InputError(what, "direct",
+                         fmt::format("found {} tiles, expected {}", before.size(), now.size()));
+    }
+    FigureDifference largest;
+    const double least = kDark * mean_of(before);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        Paired pair;
+        pair.add(before[i], now[i], least);
+        const double change = pair.mean();
+        if (std::abs(change) > std::abs(largest.change)) {
+            largest = {"direct light", static_cast<int>(i) % columns, static_cast<int>(i) / columns, change,
+                       0};
         }
     }
-    return figures;
+    return largest;
 }
 
 double student_p4(double t) {

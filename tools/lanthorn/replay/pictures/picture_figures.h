@@ -27,15 +27,23 @@ PictureFigures picture_figures(const ImageF& shown, const ImageF& radiance);
 
 // How one figure of one tile differs.
 struct FigureDifference {
-    std::string figure;  // "light" or "detail"; empty: of none for sure
+    std::string figure;  // "light", "detail" or "direct light"; empty: of none for sure
     int x = 0, y = 0;    // the tile; -1: of the whole picture
     double change = 0;   // now over before, minus 1
-    double p = 1;        // of Student's paired test, times the number of tests (Bonferroni)
+    double p = 1;        // of Student's paired test, times the number of tests (Bonferroni); 0: no noise
 };
 // The largest change of those that are sure (p below 1 %) and matter (more than half a percent). `before` and
 // `now`: kSeeds of equal tiles each; else throws InputError that names `what`.
 FigureDifference sure_difference(const std::vector<PictureFigures>& before,
                                  const std::vector<PictureFigures>& now, const std::string& what);
+
+// Mean luminance of direct light by tile, nits.
+std::vector<double> light_of_tiles(const ImageF& radiance);
+// The largest change of a tile's direct light, which has no noise. More than kDirectLight of what it was is
+// too much. Throws as sure_difference().
+inline constexpr double kDirectLight = 0.006;
+FigureDifference direct_difference(const std::vector<double>& before, const std::vector<double>& now,
+                                   int columns, const std::string& what);
 
 // The two-sided p-value of Student's t with 4 degrees of freedom.
 double student_p4(double t);

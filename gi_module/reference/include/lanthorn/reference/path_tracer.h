@@ -53,6 +53,15 @@ struct PathControl {
     std::function<bool(const PathProgress&)> progress;
 };
 
+// A part of a picture that another process can trace: some samples of some rows.
+struct PathPiece {
+    int first = 0, samples = 0;  // the number of the first sample, and how many; at most a block of Film's
+    int top = 0, rows = 0;       // from the top
+};
+// A picture of `spp` samples a pixel in pieces, in the order in which they are added up: blocks of samples,
+// each in `bands` bands of about as many rows (at least one, at most the picture's height).
+std::vector<PathPiece> path_pieces(ivec2 size, int spp, int bands);
+
 class PathTracer {
   public:
     // `scene` must outlive this. The settings are settled() for a picture if `parts` has radiance. Throws
@@ -82,6 +91,16 @@ class PathTracer {
     // Goes on from what save() wrote: its sums and samples replace those here. Throws InputError, naming the
     // file, if it is damaged or of another scene, camera, size or setting; then nothing has changed.
     void resume(const std::filesystem::path& checkpoint);
+
+    // Traces a piece alone, in place of what was here, and writes its sums to a file, whole or not at all.
+    // False, and no file, if progress() refuses; it is told the piece's samples.
+    bool trace_piece(const PathPiece& piece, const std::filesystem::path& file, const PathControl& control);
+    // Adds up what trace_piece() wrote, in place of what was here: the bits are those that render() has.
+    // `pieces`: all of path_pieces(), `files` one each. Throws InputError as resume(), and then what is here
+    // is of no picture.
+    void add_up(const std::vector<PathPiece>& pieces, const std::vector<std::filesystem::path>& files);
+    // Whether a file is one that trace_piece() wrote for this scene, camera, size and settings.
+    bool has_piece(const PathPiece& piece, const std::filesystem::path& file) const;
 
     // The rays of the next sample of all pixels, path after path; the sample does not count.
     RayLog log_rays();
