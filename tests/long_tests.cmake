@@ -5,7 +5,8 @@
 # LANTHORN_LONG_KIND_NAME: cases as --gtest_filter names them.
 
 # Every level's tour: red-wall's stays, and the recordings of all.
-set(LANTHORN_LONG_gpu_game_tour Tour.SolvesEveryLevelAndShowsThem)
+# And a start without anything in the caches of OpenGL: it compiles for as long as it is meant to spare.
+set(LANTHORN_LONG_gpu_game_tour Tour.SolvesEveryLevelAndShowsThem Prepare.SaysAndKeepsWhichLevelIsPrepared)
 # Three scenes of five: cornell, two-rooms and clutter stay, by both final stages.
 set(LANTHORN_LONG_gpu_headlines Scenes/Headlines.*_dark Scenes/Headlines.*_lantern_room Scenes/Headlines.*_nave)
 # Each stays with one final stage; this is the other.
