@@ -254,7 +254,7 @@ void EmcTechnique::gather_blended(const render::FrameInputs& inputs) {
     GatherWork work = plan_.gather;
     work.survey = false;
     if (!blended_gather_) {
-        blended_gather_ = std::make_unique<Gather>();
+        blended_gather_ = std::make_unique<Gather>(false);
         work = {.forget = false, .points = true, .verify = false, .shoot = true};
     }
     GiSettings coarser = settings_;

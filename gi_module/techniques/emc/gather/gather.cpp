@@ -52,7 +52,8 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     inputs.gpu_scene.bind_materials();
     error_parts_.reset();
     RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
-    if (exact != nullptr) {
+    const bool closely = closely_ && exact != nullptr;
+    if (closely) {
         close_.begin(inputs, lit.texels().all_places());
         rays.close = &close_;
         rays.nearness = &lit.nearness();
@@ -88,7 +89,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             const gpu::PassTimer::Scope survey(inputs.timer, "gather_survey");
             unseen_.find(hits_, grid_, rays);
         }
-        if (exact != nullptr) {
+        if (closely) {
             const gpu::PassTimer::Scope close(inputs.timer, "gather_close");
             hits_.collect(rays);
             lit.light_close(inputs, maps, settings, close_, bad_values);
@@ -110,7 +111,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         upsampling_.place(points_, links_.walls(), grid_, stride_);
     }
     const gpu::Texture& picture = upsampling_.irradiance(inputs, *gathered);
-    if (exact == nullptr) {
+    if (!closely) {
         near_.forget();
         return picture;
     }

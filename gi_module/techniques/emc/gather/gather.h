@@ -21,6 +21,10 @@ namespace lanthorn::gi {
 
 class Gather {
   public:
+    // `closely`: exact rays' hits beside lamps and corners, and pixels beside lamps, are lit one by one
+    // (close_hits.h); of all gathers one may do so. Else lit texels light all hits.
+    explicit Gather(bool closely = true) : closely_(closely) {}
+
     // Irradiance in lux over the G-buffer's pixels.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                    LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
@@ -51,6 +55,7 @@ class Gather {
         return {grid_, points_.points(), irradiance, hits_.known(), links_.cuts()};
     }
 
+    bool closely_;
     ivec2 size_{0};
     int stride_ = 0;
     ivec2 grid_{0};
