@@ -318,7 +318,9 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         statistics_.seen += seen;
     }
     statistics_.builds = scene_.builds();
-    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr, nullptr, lamps_};
+    render::IndirectLight light{irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
+    light.lamps = lamps_;
+    return light;
 }
 
 GiStatistics VertexMapTechnique::statistics(bool) {

@@ -40,9 +40,8 @@ void Gather::place(const render::FrameInputs& inputs) {
 
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     // Once most is remembered the wide levels only blur.
-    const float narrow = glm::clamp(static_cast<float>(seen_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
-    return filter_.run(filtered_points(irradiance),
-                       {points_.rays() >= 4 ? narrow : 0, frames_ < std::min(seen_, 2 * kNarrowing)});
+    const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
+    return filter_.run(filtered_points(irradiance), points_.rays() >= 4 ? narrow : 0);
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
@@ -65,11 +64,9 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             allocate(inputs.gbuffer.size(), settings);
             place(inputs);
             frames_ = 0;
-            seen_ = work.view ? 0 : seen_;
         }
         if (work.forget) {
             hits_.forget();
-            seen_ = 0;
         }
         if (work.points) {
             const gpu::PassTimer::Scope follow(inputs.timer, "gather_follow");
@@ -83,7 +80,6 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             const gpu::PassTimer::Scope shoot(inputs.timer, "gather_rays");
             hits_.shoot(points_, rays, settings.of<EmcSettings>().gather_guide ? &lit.radiosity() : nullptr);
             frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
-            seen_ = std::min(seen_ + 1, RememberedHits::kFrames);
         }
         if (work.survey) {
             const gpu::PassTimer::Scope survey(inputs.timer, "gather_survey");

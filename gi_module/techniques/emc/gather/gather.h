@@ -64,8 +64,7 @@ class Gather {
     CloseHits close_{CloseHits::kSlots};
     NearPixels near_;
     GatherUpsampling upsampling_;
-    int frames_ = 0;  // frames()
-    int seen_ = 0;    // frames of rays since the view changed, whatever has moved in it
+    int frames_ = 0;
     GatherLinks links_;
     GatherFilter filter_;
     const gpu::Buffer* filtered_ = nullptr;  // of the last irradiance()

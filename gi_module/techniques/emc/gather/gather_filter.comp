@@ -17,9 +17,8 @@ uniform ivec2 grid;
 uniform usamplerBuffer cuts;  // links that a wall stands in
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
-uniform float narrow;       // GatherFilter::Trust
-uniform bool uneven;
-uniform int narrow_levels;  // of a point that is narrow
+uniform float least_sigma;
+uniform float share;  // of this level in what it gives; the rest is as it was
 
 void main() {
     int i = int(work_item());
@@ -34,11 +33,9 @@ void main() {
         filtered[i] = texelFetch(irradiance, i);
         return;
     }
-    float own_narrow = uneven ? narrow * enough_rays(rays) : narrow;
-    float share = level < narrow_levels ? 1.0 : 1.0 - own_narrow;  // of this level in what it gives; the rest is as it was
     int step_width = 1 << level;
     float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
-    float stop = 1.0 / max(sigma_of(rays, mix(4.0, 2.0, own_narrow)) * deviation, 1e-3 * here.x + 1e-30);
+    float stop = 1.0 / max(sigma_of(rays, least_sigma) * deviation, 1e-3 * here.x + 1e-30);
     uint walls = texelFetch(cuts, i).r;
     vec4 sum = vec4(0.0);
     for (int k = 0; k < 9; ++k) {

@@ -46,10 +46,10 @@ void GatherFilter::use(const gpu::Program& program, const Points& points, const 
     program.set("grid", points.grid);
 }
 
-const gpu::Buffer& GatherFilter::run(const Points& points, const Trust& trust) {
+const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
     allocate(points.grid.x * points.grid.y);
-    trust_ = trust;
-    pooled_ = trust.is_settled() ? 1 : 2;
+    narrow_ = narrow;
+    pooled_ = narrow < 1 ? 2 : 1;
     for (int level = 0; level < pooled_; ++level) {
         const gpu::Program& program = prefilter_programs_[level];
         use(program, points, points.irradiance);
@@ -76,14 +76,13 @@ const gpu::Buffer& GatherFilter::again(const Points& points, const gpu::Buffer& 
 const gpu::Buffer& GatherFilter::levels(const Points& points, const gpu::Buffer& values,
                                         gpu::Buffer (&filtered)[2]) {
     const gpu::Buffer* from = &values;
-    for (int level = 0; level < (trust_.is_settled() ? kNarrowLevels : kWideLevels); ++level) {
+    for (int level = 0; level < (narrow_ < 1 ? kWideLevels : kNarrowLevels); ++level) {
         use(filter_program_, points, *from);
         guide_view_.bind(2, guides_[pooled_ - 1], GL_RG32F);
         filter_program_.set("guide", 2);
         filter_program_.set("level", level);
-        filter_program_.set("narrow", trust_.narrow);
-        filter_program_.set("uneven", trust_.uneven ? 1 : 0);
-        filter_program_.set("narrow_levels", kNarrowLevels);
+        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow_));
+        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow_);
         filtered[level % 2].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();

@@ -6,9 +6,6 @@ const float kFewRays = 48.0;  // pooled over more points
 
 int filter_levels(float rays) { return rays < 12.0 ? 4 : 3; }
 
-// How narrow a point may be that has so many rays, where others have all. From fewer on, walls beside what moves are blotched.
-float enough_rays(float rays) { return clamp((rays - 24.0) * (1.0 / 32.0), 0.0, 1.0); }
-
 // Deviations that luminances on one surface may differ by: of few rays, whose deviation is uncertain, and of many. Rays that a
 // moving camera has gathered from here and there are no longer spread evenly, and err more than their number tells.
 float sigma_of(float rays, float least) { return mix(4.0, least, clamp(rays * (1.0 / 64.0), 0.0, 1.0)); }
