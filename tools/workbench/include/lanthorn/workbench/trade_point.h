@@ -20,6 +20,7 @@ enum class TradeMotion {
 };
 // As --motion has them.
 inline constexpr std::array<std::string_view, 4> kTradeMotionNames = {"light", "lamp", "walk", "figure"};
+// As `--motion` takes it, and files say it.
 std::string name_of(TradeMotion motion);
 // Throws InputError, which lists the names, for another.
 TradeMotion trade_motion_named(std::string_view name);
