@@ -129,7 +129,7 @@ TEST_F(SceneViewOptions, TradeTakesScenesByCameraAndRefusesOtherMotions) {
                     "none", "--preset", "low", "--presets-only", "--size", "24x16", "--frames", "1",
                     "--warmup", "0", "--reference-spp", "2", "--motion", motion});
     };
-    const Outcome result = trade("two-rooms.glb@dark", "camera");
+    const Outcome result = trade("two-rooms.glb@dark", "walk");
     ASSERT_EQ(result.code, 0) << result.err;
     for (const std::string& file : testing_tools::files_in(path("out/references"))) {
         EXPECT_EQ(file.rfind("two-rooms-dark-", 0), 0u) << file;
