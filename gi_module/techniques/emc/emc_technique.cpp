@@ -16,6 +16,7 @@ namespace {
 
 // Frames with rays until the next survey, after one in vain.
 constexpr int kSurveyRest = 32;
+constexpr int kWidestGrid = 64;  // as gi.gather.grid has it
 
 // Whether maps are drawn of what rays have seen. A few texels in ten thousand are others then, slivers on
 // outlines: maps of smaller scenes are drawn of all triangles, as their figures were measured.
@@ -258,7 +259,8 @@ void EmcTechnique::gather_blended(const render::FrameInputs& inputs) {
         work = {.forget = false, .points = true, .verify = false, .shoot = true};
     }
     GiSettings coarser = settings_;
-    coarser.edit<EmcSettings>().gather_grid *= 2;
+    int& grid = coarser.edit<EmcSettings>().gather_grid;
+    grid = std::min(2 * grid, kWidestGrid);
     const render::FrameInputs before{render::LightInputs(inputs), *inputs.blended, inputs.camera};
     blended_gather_->irradiance(before, maps_, lit_maps_, movers_, gather_rays_, coarser, work,
                                 photons_.bad_values());

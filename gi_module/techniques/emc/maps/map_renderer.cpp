@@ -10,7 +10,7 @@ namespace {
 // Of the scene's diagonal or, in a larger world, of so many metres.
 constexpr float kNearPlane = 1e-5f;
 constexpr float kLarge = 32;
-// Openings of what is blended, of the same: some texels wide in maps that are near.
+// Cells in which a blended surface is open or solid, of the same length: several texels of a near map.
 constexpr float kScreenCell = 1.0f / 64;
 
 float power_of_two(float least) {
