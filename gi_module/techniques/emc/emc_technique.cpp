@@ -261,7 +261,8 @@ void EmcTechnique::gather_blended(const render::FrameInputs& inputs) {
     GiSettings coarser = settings_;
     int& grid = coarser.edit<EmcSettings>().gather_grid;
     grid = std::min(2 * grid, kWidestGrid);
-    const render::FrameInputs before{render::LightInputs(inputs), *inputs.blended, inputs.camera};
+    const render::LightInputs& light = inputs;
+    const render::FrameInputs before{light, *inputs.blended, inputs.camera};
     blended_gather_->irradiance(before, maps_, lit_maps_, movers_, gather_rays_, coarser, work,
                                 photons_.bad_values());
 }
