@@ -14,6 +14,7 @@ void Preparation::start(std::vector<std::string> arguments) {
     stop();
     arguments.insert(arguments.begin(), "/proc/self/exe");
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) {
         argv.push_back(argument.data());
     }

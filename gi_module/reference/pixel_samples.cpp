@@ -42,8 +42,8 @@ void PixelSamples::set_counts(int spp, std::uint64_t nan_count) {
 
 CameraRay PixelSamples::camera_ray(const CameraRays& camera, std::size_t pixel, const vec2& within) const {
     const auto across = static_cast<std::size_t>(size_.x);
-    return camera.ray(static_cast<float>(pixel % across) + within.x,
-                      static_cast<float>(pixel / across) + within.y);
+    const std::size_t row = pixel / across, column = pixel % across;
+    return camera.ray(static_cast<float>(column) + within.x, static_cast<float>(row) + within.y);
 }
 
 // Pixels from `begin` on in runs of neighbours, each run on one thread: visit(first, number of pixels).

@@ -50,7 +50,9 @@ const std::vector<NamedScene>& large_scenes() {
                                                    {"thesis-box-64", thesis_box_64},
                                                    {"thesis-box-256", thesis_box_256},
                                                    {"thesis-box-1024", thesis_box_1024},
-                                                   {"pool", pool}};
+                                                   {"pool", pool},
+                                                   {"statues", statues},
+                                                   {"toys", toys}};
     return scenes;
 }
 

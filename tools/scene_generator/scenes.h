@@ -71,6 +71,8 @@ enum class LampKind { endless, in_range, spot };
 SceneData lamp_hall(int count, LampKind kind);
 SceneData pool();          // a tiled basin; its water is an animated height field of 54 k triangles
 SceneData glossy_floor();  // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
+SceneData statues();       // urn, column, ball and block that two coloured walls light (its Fig. 11 a)
+SceneData toys();  // a hundred thousand triangles of blocks, balls and rings on a floor (its Fig. 11 c)
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

@@ -105,7 +105,7 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
         irradiance_ = &upsampling_.irradiance(inputs, grid_, *light, estimates_);
         filtered_.made(now_);
     }
-    return {irradiance_, nullptr};
+    return {.irradiance = irradiance_};
 }
 
 // Where what moved rigidly was in the frame before.

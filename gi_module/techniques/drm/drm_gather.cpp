@@ -55,7 +55,7 @@ render::IndirectLight DrmGather::light(const render::FrameInputs& inputs, const 
     }
     gather.dispatch(size, ivec2(8));
     wait_for_shaders();
-    return {&irradiance_, lobes ? &specular_ : mirrored};
+    return {.irradiance = &irradiance_, .specular = lobes ? &specular_ : mirrored};
 }
 
 }  // namespace lanthorn::gi

@@ -204,9 +204,9 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     splat_glossy(inputs);
     mirror(inputs);
     kept_.done(plan_, results_, inputs.scene.bounds);
-    render::IndirectLight light{shown(), specular_};
-    light.blended_irradiance = blended_gather_ ? &blended_gather_->picture() : nullptr;
-    return light;
+    return {.irradiance = shown(),
+            .specular = specular_,
+            .blended_irradiance = blended_gather_ ? &blended_gather_->picture() : nullptr};
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {

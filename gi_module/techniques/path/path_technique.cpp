@@ -126,7 +126,7 @@ render::IndirectLight PathTechnique::indirect(const render::FrameInputs& inputs)
         statistics_.frame_spp = plan_.frame_spp;
         show();
     }
-    return {&irradiance_, nullptr, radiance_ ? &radiance_ : nullptr};
+    return {.irradiance = &irradiance_, .radiance = radiance_ ? &radiance_ : nullptr};
 }
 
 void PathTechnique::show() {

@@ -183,7 +183,7 @@ render::IndirectLight SplatTechnique::indirect(const render::FrameInputs& inputs
     } else if (plan_.on(SplatPass::mirrors)) {
         mirror(inputs);
     }
-    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
+    return {.irradiance = irradiance_, .specular = plan_.mirrors ? &mirrors_.picture() : nullptr};
 }
 
 gpu::Texture SplatTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {

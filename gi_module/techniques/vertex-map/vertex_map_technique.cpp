@@ -195,6 +195,7 @@ void VertexMapTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
     }
     const std::vector<SensorPoint> points = sensor_points(scene_.surfaces(), sensors_);
     std::vector<vec4> irradiances;
+    irradiances.reserve(points.size());
     for (const SensorPoint& p : points) {
         irradiances.emplace_back(
             vertices_.estimate_at(p.instance, p.position, p.normal, *tree_, store_, own()).irradiance, 0);
@@ -318,9 +319,9 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         statistics_.seen += seen;
     }
     statistics_.builds = scene_.builds();
-    render::IndirectLight light{irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
-    light.lamps = lamps_;
-    return light;
+    return {.irradiance = irradiance_,
+            .specular = plan_.mirrors ? &mirrors_.picture() : nullptr,
+            .lamps = lamps_};
 }
 
 GiStatistics VertexMapTechnique::statistics(bool) {

@@ -69,8 +69,9 @@ void draw_beside(EditorState& state) {
 
 void Viewport::draw_beside_ghosts() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const auto& [node, to_expected] : state_.beside.to_expected) {
-        const Aabb box = bounds_of(node);
+    for (const auto& moved : state_.beside.to_expected) {
+        const dmat4& to_expected = moved.second;
+        const Aabb box = bounds_of(moved.first);
         if (box.empty()) {
             continue;
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 #include "tools/editor/window/panels.h"
 #include "tools/workbench/measure/light_words.h"
@@ -124,12 +125,12 @@ void draw_ways(EditorState& state, WhyShown& why) {
     int pointed = -1;
     for (std::size_t i = 0; i < split.ways.size(); ++i) {
         const reference::LightWay& way = split.ways[i];
-        std::string words;
-        for (const std::uint32_t entity : way.entities) {
-            words = why.name(entity) + " > " + words;
+        std::string words =
+            fmt::format("{:>8} lx  {} > ", lux_text(way.lux), lamp_name(way.source, way.entity, why.name));
+        for (const std::uint32_t entity : std::views::reverse(way.entities)) {
+            words += why.name(entity) + " > ";
         }
-        words = fmt::format("{:>8} lx  {} > {}here", lux_text(way.lux),
-                            lamp_name(way.source, way.entity, why.name), words);
+        words += "here";
         ImGui::PushID(static_cast<int>(i));
         if (row(state, way.entities.empty() ? kNone : why.node_of(way.entities.front()), words,
                 colour::words)) {

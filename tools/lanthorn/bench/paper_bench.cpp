@@ -11,6 +11,7 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/shown_scene.h"
+#include "lanthorn/scene/components.h"
 #include "lanthorn/workbench/frame_meter.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/scene_generator/scenes.h"
@@ -19,6 +20,48 @@
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
+
+namespace {
+
+constexpr double kFrameSeconds = 1.0 / 30;
+constexpr double kSlide = 0.02;   // metres a frame: 0.6 m/s
+constexpr int kSlideFrames = 16;  // to and fro
+
+// The row's mover, which slides along x.
+class Slider {
+  public:
+    Slider(ecs::World& world, const char* name) : world_(&world) {
+        if (name == nullptr) {
+            return;
+        }
+        for (const ecs::Entity entity :
+             world.query<ecs::With<Name>, ecs::With<LocalTransform>>().entities()) {
+            if (world.get<Name>(entity).value == name) {
+                entity_ = entity;
+                start_ = world.get<LocalTransform>(entity).value;
+                return;
+            }
+        }
+        throw std::logic_error(std::string("bench: no node ") + name);
+    }
+
+    void place(int frame) {
+        if (entity_ == ecs::Entity()) {
+            return;
+        }
+        const int turn = frame % kSlideFrames;
+        Transform moved = start_;
+        moved.translation.x += kSlide * std::min(turn, kSlideFrames - turn);
+        world_->get_mut<LocalTransform>(entity_).value = moved;
+    }
+
+  private:
+    ecs::World* world_;
+    ecs::Entity entity_;
+    Transform start_;
+};
+
+}  // namespace
 
 SceneData paper_scene(const PaperRow& row) {
     for (const auto* list : {&scene_generator::all_scenes(), &scene_generator::large_scenes()}) {
@@ -45,12 +88,16 @@ void apply_row(const PaperRow& row, double share, Settings& settings) {
     settings.set<int>("gi.emc.count", row.maps);
 }
 
-PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job) {
+PaperFigures measure_row(const PaperRow& row, const SceneData& scene, const Settings& settings,
+                         const PaperJob& job) {
     std::unique_ptr<gpu::Context> context;  // before what draws in it
     ShownScene shown(scene, {});
     shown.show_at(0);
-    shown.hold();
+    if (!job.moving) {
+        shown.hold();
+    }
     ecs::World& world = shown.world();
+    Slider mover(world, row.mover);
     DimmedLights lamps(world);
     for (const auto& sources : {punctual_lights(world), emissive_meshes(world)}) {
         std::ranges::for_each(sources, [&](ecs::Entity source) { lamps.add(source); });
@@ -63,7 +110,16 @@ PaperFigures measure_row(const SceneData& scene, const Settings& settings, const
     std::map<std::string, std::vector<double>> passes;
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         lamps.dim(i % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
-        const FrameCost cost = meter.measure([&] { shown.app().show(); });
+        if (job.moving) {
+            mover.place(i);
+        }
+        const FrameCost cost = meter.measure([&] {
+            if (job.moving) {
+                shown.show_at((i + 1) * kFrameSeconds);
+            } else {
+                shown.app().show();
+            }
+        });
         stop_if_asked("bench", "what was measured until then is printed");
         if (i < job.warmup) {
             continue;

@@ -14,6 +14,9 @@ struct PaperJob {
     ivec2 size{512, 512};
     int frames = 8;  // measured
     int warmup = 3;  // before
+    // Geometry moves too, 2 cm a frame: the row's mover slides to and fro, what is animated goes on, by 1/30
+    // s.
+    bool moving = false;
 };
 
 struct PaperFigures {
@@ -36,8 +39,9 @@ int paper_share(int photons, double share);
 // Photons, bounces and maps of a row, in `settings`.
 void apply_row(const PaperRow& row, double share, Settings& settings);
 
-// Frames in which all lamps change by their last bit, so that every photon is traced anew in each of them,
-// and nothing moves. Throws Error(ExitCode::no_gl) without OpenGL 4.5.
-PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job);
+// Frames in which all lamps change by their last bit, so that every photon is traced in each of them.
+// `scene` is the row's. Throws Error(ExitCode::no_gl) without OpenGL 4.5.
+PaperFigures measure_row(const PaperRow& row, const SceneData& scene, const Settings& settings,
+                         const PaperJob& job);
 
 }  // namespace lanthorn::tools
