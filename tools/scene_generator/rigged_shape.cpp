@@ -156,7 +156,9 @@ Mesh edged_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t
             vertex.position = shape.positions[point];
             vertex.normal = normal;
             mesh.vertices.push_back(vertex);
-            mesh.skin.push_back(shape.influences[point]);
+            if (!shape.influences.empty()) {
+                mesh.skin.push_back(shape.influences[point]);
+            }
             mesh.bounds.add(vertex.position);
         }
         mesh.indices.push_back(found->second);

@@ -91,7 +91,7 @@ SceneData statues() {
     b.solid("plinth", box({-0.28, 0, -0.98}, {0.28, 0.5, -0.42}), white);
     b.solid("amphora", amphora(), clay, {}, at({0, 0.5, -0.7}));
     const std::uint32_t column = b.node("column", at({-1.15, 0, -0.5}));
-    b.scene.meshes.push_back(smooth_mesh("column", twisted(), stone));
+    b.scene.meshes.push_back(edged_mesh("column", twisted(), stone));
     b.scene.nodes[column].meshes = {static_cast<std::uint32_t>(b.scene.meshes.size() - 1)};
     b.solid("ball", icosphere(0.42, 4), stone, {}, at({1.2, 0.42, -0.35}));
     b.solid("block", rounded_box({0.26, 0.2, 0.26}, 0.05, 4), stone, {}, at({0.5, 0.2, 0.35}));

@@ -12,9 +12,9 @@ namespace {
 
 // A spinning top, 0.2 m tall, that stands on its point.
 Shape top() {
-    Outline outline = {{{0, 0}, {0, -1}}};
+    Outline outline = {{{0, 0}, {0, -1}}, {{0.002, 0}, {0, -1}}};
     add_curve(outline,
-              {{0.002, 0.001},
+              {{0.002, 0},
                {0.02, 0.03},
                {0.09, 0.08},
                {0.095, 0.1},
@@ -24,8 +24,9 @@ Shape top() {
                {0.014, 0.195},
                {0.004, 0.2}},
               10);
+    outline.push_back({{0.004, 0.2}, {0, 1}});
     outline.push_back({{0, 0.2}, {0, 1}});
-    return lathe(outline, 60);
+    return lathe(outline, 62);
 }
 
 }  // namespace
