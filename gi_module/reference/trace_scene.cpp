@@ -28,6 +28,10 @@ constexpr float kOffset = 0x1p-18f;
 // A shadow ray to a light ends this share short of it: what touches the light does not hide it.
 constexpr float kShadowEnd = 1.0f - 1e-5f;
 
+// What moves has its boxes fitted again, which costs less than its tree, and every so many times a tree
+// again: boxes of what has turned or bent lie over each other.
+constexpr std::uint32_t kMovesOfATree = 16;
+
 mat3 normal_matrix(const mat3& m, float determinant) {
     // The cofactor matrix takes normals where the inverse transpose does, and exists for flattened objects
     // too.
@@ -112,12 +116,14 @@ TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, 
         throw InputError("path: Embree cannot be started on this processor");
     }
     scene_ = rtcNewScene(device_);
-    // Robust: no leaks between triangles that share an edge. Dynamic: a tree an instance and one over them.
+    // Robust: no leaks between triangles that share an edge. Dynamic and of low quality: a tree an instance,
+    // each of medium quality, and one over them. Of another quality Embree 3 builds a single tree, of all
+    // triangles, whenever one of them moves.
     const int flags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
                       (structure == Structure::moving ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
     rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
-    rtcSetSceneBuildQuality(
-        scene_, structure == Structure::moving ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(scene_,
+                            structure == Structure::moving ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
     instances_.resize(scene.instances.size());
     shapes_.resize(scene.instances.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -164,7 +170,8 @@ bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
         const std::uint32_t i = changes.moved[k];
         if (!built[i]) {
             const RTCGeometry geometry = rtcGetGeometry(scene_, i);
-            rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+            const bool refit = ++shapes_[i].moves % kMovesOfATree != 0;
+            rtcSetGeometryBuildQuality(geometry, refit ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
             place(i, materials, geometry);
             rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
             rtcCommitGeometry(geometry);
@@ -212,12 +219,13 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
         rtcDetachGeometry(scene_, static_cast<unsigned>(index));
     }
     const DeformedMesh* deformed = own.deformed();
-    shape = {frame_->mesh_version(instance).any,
-             deformed != nullptr && deformed->refined ? deformed->refined->serial : 0,
-             deformed != nullptr,
-             std::move(reduced),
-             nullptr,
-             std::make_unique<FilterData>(FilterData{&materials, this, static_cast<std::uint32_t>(index)})};
+    shape = {.mesh_version = frame_->mesh_version(instance).any,
+             .refined = deformed != nullptr && deformed->refined ? deformed->refined->serial : 0,
+             .deformed = deformed != nullptr,
+             .reduced = std::move(reduced),
+             .posed = nullptr,
+             .filter = std::make_unique<FilterData>(
+                 FilterData{&materials, this, static_cast<std::uint32_t>(index)})};
     shape.posed = mesh_to_pose(own, shape.reduced.get());
     const Mesh& mesh = shape.posed ? *shape.posed : own.mesh();
     const std::size_t count = mesh.indices.size() / 3;

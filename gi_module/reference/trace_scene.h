@@ -135,6 +135,7 @@ class TraceScene {
         std::uint64_t mesh_version = 0;
         std::uint64_t refined = 0;  // RefinedTopology::serial, or 0
         bool deformed = false;
+        std::uint32_t moves = 0;  // since it was built
         std::shared_ptr<const ReducedShape> reduced;
         std::unique_ptr<Mesh> posed;  // null: the asset's own mesh
         std::unique_ptr<FilterData> filter;

@@ -31,8 +31,8 @@ struct EmcKept {
     int bounces = 0;
     int lit_bounces = 0;
 
-    // Materials, of the frame before: maps look colours up.
-    EmcStamps materials{Input::assets, Input::paint};
+    // What materials reflect, of the frame before: maps look colours up.
+    EmcStamps materials{Input::paint};
 
     // Photons on the picture, or for sensors.
     EmcStamps photons{Input::photon_settings, Input::lights,         Input::emission, Input::paint,

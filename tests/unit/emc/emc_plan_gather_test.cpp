@@ -49,6 +49,12 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     EXPECT_FALSE(view.lit.shoot || view.lit.light);
     scene.changes.painted = {0};
     EXPECT_TRUE(frames.next(scene, settings).lit.look);
+    scene.changes.painted.clear();
+    // A lamp of glowing glass flickers while something moves.
+    scene.changes.assets = scene.changes.emission = scene.changes.geometry = true;
+    const EmcPlan flicker = frames.next(scene, settings);
+    EXPECT_TRUE(flicker.lit.look && flicker.lit.light_all);
+    EXPECT_FALSE(flicker.lit.look_all) << "only texels near what moves look at the maps again";
 
     scene.sensors.emplace_back();
     EXPECT_TRUE(first_plan_of(scene, settings).on(EmcPass::emission));  // sensors count photons
