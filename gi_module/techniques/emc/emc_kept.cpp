@@ -31,7 +31,7 @@ void maps_done(EmcKept& kept, const EmcPlan& plan, const EmcResults& results, co
 }
 
 void lit_maps_done(EmcKept& kept, const EmcPlan& plan) {
-    for (EmcStamps* part : {&kept.lit_texels, &kept.lit_light, &kept.lit_rays}) {
+    for (EmcStamps* part : {&kept.lit_texels, &kept.lit_colours, &kept.lit_light, &kept.lit_rays}) {
         part->made(plan.now);
     }
     if (plan.by_photons()) {

@@ -48,9 +48,11 @@ struct EmcKept {
     // Of the mean, relRMSE; none: nobody has asked since it began.
     std::optional<double> estimated_error;
 
-    // Lit maps: which texels are lit, by what light, what their rays have met, and photons on them.
-    EmcStamps lit_texels{Input::lit_settings, Input::origin,         Input::sky_rays,
-                         Input::drawn_maps,   Input::exchanged_maps, Input::paint};
+    // Lit maps: which texels are lit, what they reflect, by what light, what their rays have met, and photons
+    // on them.
+    EmcStamps lit_texels{Input::lit_settings, Input::origin, Input::sky_rays, Input::drawn_maps,
+                         Input::exchanged_maps};
+    EmcStamps lit_colours{Input::paint};
     EmcStamps lit_light{Input::lights, Input::emission, Input::light_maps, Input::darkness};
     EmcStamps lit_rays{Input::lit_settings, Input::origin, Input::sky_rays, Input::chosen_maps};
     EmcStamps lit_photons{Input::lit_photon_settings};

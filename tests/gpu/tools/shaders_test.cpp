@@ -96,8 +96,16 @@ void run_everything(const TemporaryFolder& dump) {
     SceneData glass = scene_generator::clutter();
     glass.materials.back().alpha_mode = AlphaMode::blend;
     glass.materials.back().base_colour.a = 0.5f;
+    // A clip that paints the walls.
+    AnimationClip& clip = glass.animations.emplace_back();
+    clip.duration = 1;
+    PropertyChannel& paint = clip.properties.emplace_back();
+    paint.property = AnimatedProperty::base_colour;
+    paint.keys.width = width_of(paint.property);
+    paint.keys.times = {0, 1};
+    paint.keys.values = {1, 1, 1, 1, 0, 0, 0, 1};
     std::ofstream(out.path("glass.glb"), std::ios::binary) << scene_generator::glb_bytes(glass);
-    render(out.path("glass.glb"), {"--frames", "1"});
+    render(out.path("glass.glb"), {"--frames", "2"});
     for (const auto kind : {scene_generator::LampKind::endless, scene_generator::LampKind::spot}) {
         const std::string lamps = out.path("lamps.glb");
         std::ofstream(lamps, std::ios::binary)

@@ -48,7 +48,12 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     EXPECT_TRUE(view.gather.points && view.gather.shoot);
     EXPECT_FALSE(view.lit.shoot || view.lit.light);
     scene.changes.painted = {0};
-    EXPECT_TRUE(frames.next(scene, settings).lit.look);
+    frames.kept.texel_frames = frames.kept.point_frames = 16;
+    scene.changes.camera = false;
+    const EmcPlan paint = frames.next(scene, settings);
+    EXPECT_TRUE(paint.lit.recolour && paint.lit.light_all && paint.on(EmcPass::gather));
+    EXPECT_FALSE(paint.lit.look || paint.lit.shoot || paint.gather.points || paint.gather.shoot)
+        << "rays still meet what they met";
     scene.changes.painted.clear();
     // A lamp of glowing glass flickers while something moves.
     scene.changes.assets = scene.changes.emission = scene.changes.geometry = true;

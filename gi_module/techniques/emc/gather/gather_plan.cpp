@@ -33,10 +33,11 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const EmcStamps::Versions& now = plan.now;
     const bool sensors = !scene.sensors.empty();
     const bool surfaces = kept.lit_texels.due(now);
+    const bool colours = kept.lit_colours.due(now);
     plan.lit_bounces =
         e.gather_endless ? planned_bounces(s, plan.carried, kEndlessBounces, kept.lit_bounces) : plan.bounces;
     const bool other_bounces = kept.lit_bounces != 0 && kept.lit_bounces != plan.lit_bounces;
-    const bool other_light = surfaces || other_bounces || kept.lit_light.due(now);
+    const bool other_light = surfaces || colours || other_bounces || kept.lit_light.due(now);
     const bool light = other_light || !rules.light;
     const bool view = kept.image.due(now);
     const auto differs = [&](Input input) { return kept.lit_light.differs(input, now); };
@@ -55,10 +56,11 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     lit.forget = kept.lit_rays.due(now) || resumed;
     lit.from_dark = differs(Input::darkness);
     lit.look = surfaces;
-    lit.look_all = lit.forget || kept.materials.due(now) || kept.maps.differs(Input::pattern, now);
+    lit.look_all = lit.forget || kept.maps.differs(Input::pattern, now);
+    lit.recolour = colours && !(surfaces && lit.look_all);
     lit.light = light;
     // Where things alone have moved, light falls otherwise near them alone.
-    lit.light_all = other_bounces || differs(Input::lights) || differs(Input::emission) ||
+    lit.light_all = other_bounces || colours || differs(Input::lights) || differs(Input::emission) ||
                     differs(Input::darkness) || !kept.maps.differs(Input::geometry, now) || !rules.light;
     lit.sky_apart = photons && scene.sky.has_value();
     lit.shoot = by_rays && plan.texel_frames < kFrames;
@@ -94,6 +96,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
                                       : Reason::more_photons);
     plan.set(Pass::lit_maps, light || goes_on || trace_lit || lit.shoot,
              surfaces      ? Reason::surfaces_changed
+             : colours     ? Reason::paint_changed
              : other_light ? Reason::lights_shade_anew
              : lit.shoot   ? Reason::texels_shoot
              : goes_on     ? Reason::light_goes_on

@@ -51,6 +51,10 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                           inputs.scene);
         }
     }
+    if (work.recolour && !all_are_new) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
+        texels_.recolour(maps, settings, inputs.scene, lit_);
+    }
     const bool endless = settings.of<EmcSettings>().gather_endless, sky = inputs.scene.sky.has_value();
     has_indirect_ = bounces > 1 || sky;
     const bool other_sky = follow_sky(inputs.scene, work.sky_apart);
@@ -113,7 +117,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
     const bool from_sky = sky && (!endless || work.sky_apart);
     // Texels of another map begin with direct light alone.
-    const bool exchanged = all_are_new || look_all;
+    const bool exchanged = all_are_new || look_all || work.recolour;
     const bool as_before = work.sky_apart && radiosity_holds_ && !endless && !exchanged && !other_sky &&
                            !work.look && !work.shoot;
     const int sweeps = as_before               ? 0

@@ -4,7 +4,7 @@
 layout(local_size_x = 256) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
-#include "lit_maps.glsl"
+#include "lit_square.glsl"
 
 // By place.
 layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
@@ -20,12 +20,6 @@ const float kSharper = 1.25;  // a map lights no texel that another shows so muc
 uniform ivec2 reserved_slots;  // of maps that light only what no other shows; -1: none
 
 bool is_reserved(int slot) { return slot == reserved_slots.x || slot == reserved_slots.y; }
-
-// Whether a plane g at the point `o` from the map's centre is that of the surface there.
-bool on_plane(vec3 o, vec3 n, vec3 g) {
-    return g != vec3(0.0) && dot(plane_normal(g), n) > kLeastLitCosine &&
-           abs(dot(o, g) - 1.0) < lit_tolerance(o) * length(g);
-}
 
 // What stands on the surface of normal n at `o` around the lit texel p, as it was drawn: of parallel ones the nearest, of others two.
 uvec4 sheets_on(ivec3 p, vec3 o, vec3 n) {
@@ -52,21 +46,10 @@ void main() {
     ivec3 p = texel_of_block(int(block), int(item % kBlockTexels));
     int place = lit_place(p);
     int slot = p.z / 6;
-    ivec3 middle = lit_middle(p);
-    vec3 g = plane_at(middle);
-    bool shows_something = slot_in_use(slot, 0.0) && g != vec3(0.0);
-    // Where the lit texel's own middle lies on that plane, between the map's texels; unless that is behind what one of them
-    // shows, where it would be dark, or far off: a plane seen edge on may not be met there at all.
-    vec3 u = cube_direction(p.z % 6, (vec2(p.xy) + 0.5) / float(lit_resolution));
-    vec3 o = g == vec3(0.0) ? u * scene_diagonal : u / max(dot(u, g), 1e-20);
-    vec3 own = texel_point(middle, g);
-    bool behind = g != vec3(0.0) && !(dot(o, o) < 4.0 * dot(own, own));
-    for (int k = 0; k < 4; ++k) {
-        ivec2 beside = max(middle.xy - ivec2(k & 1, k >> 1), ivec2(0));
-        behind = behind || dot(o, plane_at(ivec3(beside, middle.z))) > 1.00001;
-    }
-    o = behind ? own : o;
-    vec3 n = plane_normal(g);
+    LitSquare square = square_of(p);
+    vec3 o = square.o;
+    vec3 n = square.n;
+    bool shows_something = slot_in_use(slot, 0.0) && square.shows;
     vec3 x = map_centres[slot].xyz + o;
     float least = kSharper * sharpness(o, n);
     bool last = is_reserved(slot);
@@ -100,16 +83,5 @@ void main() {
         return;
     }
     if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
-    // The mean over what of its square lies on its surface.
-    ivec2 first = p.xy * map_resolution / lit_resolution;
-    ivec2 end = (p.xy + 1) * map_resolution / lit_resolution;
-    vec4 sum = vec4(kept_albedo(texelFetch(environment_albedo, middle, 0)), 1.0) * 1e-3;
-    for (int j = first.y; j < end.y; ++j) {
-        for (int i = first.x; i < end.x; ++i) {
-            vec3 beside = plane_at(ivec3(i, j, p.z));
-            float same = on_plane(o, n, beside) ? 1.0 : 0.0;
-            sum += same * vec4(kept_albedo(texelFetch(environment_albedo, ivec3(i, j, p.z), 0)), 1.0);
-        }
-    }
-    albedo[place] = vec4(sum.rgb / sum.a, 0.0);
+    albedo[place] = vec4(albedo_of(p, square), 0.0);
 }

@@ -73,6 +73,20 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     wait_for_shaders();
 }
 
+void LitTexels::recolour(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                         const EntryList& lit) {
+    if (!recolour_) {
+        recolour_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_recolour.comp"});
+    }
+    recolour_.use();
+    maps.bind(recolour_, 0, 1, settings, scene);
+    bind(recolour_, points_view_, 2);
+    albedo_.bind_storage(2);
+    lit.bind_storage(6);
+    lit.dispatch();
+    wait_for_shaders();
+}
+
 void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const {
     points.bind(unit, points_, GL_RGBA32F);
     program.set("lit_points", static_cast<int>(unit));

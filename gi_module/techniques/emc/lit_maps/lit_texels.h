@@ -17,12 +17,16 @@ class LitTexels {
 
     // Room for `settings` and as many maps; whether that is another than before.
     bool resize(const EnvironmentMaps& maps, const GiSettings& settings);
-    // Looks at the maps again: at all texels, or, if maps and colours are those of before, at those between
+    // Looks at the maps again: at all texels, or, if maps are those of before, at those between
     // which and any map's centre things have moved. `radiosity`, `first`: vec4 by place; a < 0 is written
     // where no texel is lit, and `radiosity` 0 for those that were not before. Cost: a look at every map's
     // centre a texel; else a few a block, and the same for about a quarter of the texels.
     void look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity, const gpu::Buffer& first);
+
+    // What the listed texels reflect, where colours alone have changed since they looked.
+    void recolour(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                  const EntryList& lit);
 
     // lit_points.glsl: lit_points on a texture unit, and its other uniforms; sky_first.
     void bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const;
@@ -46,7 +50,7 @@ class LitTexels {
   private:
     int resolution_ = 0;
     int faces_ = 0;
-    gpu::Program program_, all_;
+    gpu::Program program_, all_, recolour_;
     MoverPrograms touched_{{"gi_module/techniques/emc/lit_maps/lit_touched.comp"}, {"ALL 0"}};
     gpu::Buffer points_;
     gpu::Buffer albedo_;

@@ -6,8 +6,9 @@ namespace lanthorn::gi {
 struct LitWork {
     bool forget = false;       // other maps: nothing that is remembered holds
     bool from_dark = false;    // the frame before had no light, whatever B holds
-    bool look = false;         // the maps show other surfaces or colours: texels look at them again,
+    bool look = false;         // the maps show other surfaces: texels look at them again,
     bool look_all = false;     // all of them, not only those that movers touch
+    bool recolour = false;     // of what surfaces show colours have changed
     bool verify = false;       // things have moved, or a map was exchanged: what rays met is verified
     bool light = false;        // light, or what surfaces reflect, has changed: E0 is computed again
     bool light_all = false;    // of all texels, not only of those that movers touch
