@@ -32,6 +32,7 @@ void work_through(std::size_t count, int jobs, const std::function<bool()>& stop
     };
     {
         std::vector<std::jthread> threads;
+        threads.reserve(static_cast<std::size_t>(jobs));
         for (int i = 0; i < jobs; ++i) {
             threads.emplace_back(work);
         }

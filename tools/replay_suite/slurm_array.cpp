@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -34,8 +35,9 @@ std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        if (const std::string file = folder + "/" + name; access(file.c_str(), X_OK) == 0) {
-            return file;
+        folder.append("/").append(name);
+        if (access(folder.c_str(), X_OK) == 0) {
+            return folder;
         }
     }
     throw InputError(fmt::format(
@@ -182,7 +184,7 @@ std::vector<std::vector<std::size_t>> cut_slices(const std::vector<double>& work
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return work[i]; });
     const double sum = std::accumulate(work.begin(), work.end(), 0.0);
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(sum / seconds + 0.5), 1,
+    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(sum / seconds)), 1,
                                                std::max<std::size_t>(work.size(), 1));
     std::vector<std::vector<std::size_t>> cut(count);
     std::vector<double> load(count, 0);

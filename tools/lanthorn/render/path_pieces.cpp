@@ -76,7 +76,7 @@ void trace_in_pieces(reference::PathTracer& tracer, ivec2 size, int spp, const P
     // Of another program or another picture pieces are others.
     std::string key = command.settings + fmt::format("{:016x}", replay::hash_file(program_path()));
     for (const auto& [name, value] : tracer.description(reference::PathAov::depth)) {
-        key += name + "=" + value + "\n";
+        key += fmt::format("{}={}\n", name, value);
     }
     for (const std::string& argument : command.arguments) {
         key += argument + "\n";

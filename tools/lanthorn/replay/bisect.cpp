@@ -153,6 +153,7 @@ Found find(const Options& options) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(options.file));
     const auto level = read_level(options.file, recording->header, options.level);
     std::vector<Run> runs;
+    runs.reserve(std::size(kThreads));
     for (const int threads : kThreads) {
         runs.push_back(run(*level, options.file, recording, threads));
     }

@@ -72,7 +72,7 @@ class Finder {
                 for (std::size_t i = 0; i < type.numbers; ++i) {
                     const std::string axis = type.numbers <= 4 ? kAxes[i] : fmt::format("{}", i);
                     compare(*type.element, field, ecs::at(found, i * type.element->size),
-                            ecs::at(expected, i * type.element->size), path + "." + axis);
+                            ecs::at(expected, i * type.element->size), fmt::format("{}.{}", path, axis));
                 }
                 break;
             case ValueKind::list:

@@ -260,7 +260,7 @@ ImageF picture_of(const TradeView& view, const std::string& reference, int width
         workbench::heat_map(workbench::relative_error(view.indirect, truth, mean), truth.width, truth.height);
     const ImageF left = scaled(view.final, width), right = scaled(error, width);
     ImageF both{left.width + right.width, left.height, 3, {}, {}};
-    const auto row = static_cast<std::ptrdiff_t>(3 * left.width);
+    const auto row = 3 * static_cast<std::ptrdiff_t>(left.width);
     for (int y = 0; y < left.height; ++y) {
         for (const ImageF* half : {&left, &right}) {
             const auto start = half->pixels.begin() + y * row;
