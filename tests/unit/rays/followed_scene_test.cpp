@@ -145,6 +145,28 @@ TEST(FollowedScene, IsTheSameAsOneMadeAnew) {
     expect_same_surfaces(kept, anew, 0);
 }
 
+// Vertices that are no numbers take their triangles away while they are, and nothing else.
+TEST(FollowedScene, OutlivesAPoseThatIsNoNumber) {
+    BallRoom room;
+    FollowedScene kept;
+    kept.follow(room.scene);
+    for (int i = 1; i <= 16; ++i) {  // the last time with its tree built again
+        room.pose(i < 16 ? 1.1f : std::numeric_limits<float>::quiet_NaN());
+        kept.follow(room.scene);
+    }
+    SurfaceHit hit;
+    ASSERT_TRUE(met(kept, kCentre + vec3(0, 0, 1), vec3(0, 0, -1), hit));
+    EXPECT_EQ(hit.instance, kWall) << "there is no ball";
+    for (const float stretch : {1.2f, 1.3f}) {
+        room.pose(stretch);
+        kept.follow(room.scene);
+        FollowedScene fresh;
+        fresh.follow(room.scene);
+        expect_same_surfaces(kept, fresh, 0);
+    }
+    EXPECT_EQ(kept.builds(), 1u);
+}
+
 // A finer or coarser subdivision, as the camera comes and goes: its own part alone is built anew.
 TEST(FollowedScene, TakesOtherTrianglesWithoutTheRest) {
     for (const RayDetail detail : {RayDetail::full, RayDetail::coarser}) {
