@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "engine/scene/alpha_coverage.h"
 #include "gi_module/reference/material_table.h"
@@ -144,10 +145,76 @@ void TraceScene::commit() {
     rtcCommitScene(scene_);
 }
 
+bool TraceScene::admit(const FrameScene& scene) {
+    if (scene.changes.replaced || scene.origin != origin_) {
+        return false;
+    }
+    const auto same_id = [](const TraceInstance& was, const Instance& is) { return was.id == is.id; };
+    if (scene.changes.arrived.empty() && std::ranges::equal(instances_, scene.instances, same_id)) {
+        return true;
+    }
+    std::unordered_map<std::uint32_t, std::size_t> before;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        before.emplace(instances_[i].id, i);
+    }
+    std::vector<bool> arrived(scene.instances.size(), false);
+    for (const std::uint32_t i : scene.changes.arrived) {
+        arrived[i] = true;
+    }
+    std::vector<Shape> shapes(scene.instances.size());
+    std::vector<TraceInstance> instances(scene.instances.size());
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        instances[i].id = scene.instances[i].id;
+        const auto was = before.find(instances[i].id);
+        if (arrived[i] || was == before.end()) {
+            continue;
+        }
+        shapes[i] = std::move(shapes_[was->second]);
+        instances[i] = std::move(instances_[was->second]);
+        shapes[i].filter->instance = static_cast<std::uint32_t>(i);
+        instance_of_[shapes[i].geometry] = static_cast<std::uint32_t>(i);
+        before.erase(was);
+    }
+    for (const auto& [id, i] : before) {
+        remove(shapes_[i], instances_[i]);
+    }
+    shapes_ = std::move(shapes);
+    instances_ = std::move(instances);
+    admitted_ = true;
+    return true;
+}
+
+void TraceScene::remove(const Shape& shape, const TraceInstance& instance) {
+    if (shape.geometry != kNoGeometry) {
+        rtcDetachGeometry(scene_, shape.geometry);
+        unused_.push_back(shape.geometry);
+    }
+    if (instance.triangle_places > 0) {
+        unused_triangles_.emplace_back(instance.first_triangle, instance.triangle_places);
+    }
+}
+
+std::uint32_t TraceScene::place_for(std::uint32_t count) {
+    const auto fits =
+        std::ranges::find_if(unused_triangles_, [&](const auto& u) { return u.second >= count; });
+    if (fits == unused_triangles_.end()) {
+        const auto first = static_cast<std::uint32_t>(triangles_.size());
+        triangles_.resize(triangles_.size() + count);
+        return first;
+    }
+    const std::uint32_t first = fits->first;
+    fits->first += count;
+    fits->second -= count;
+    if (fits->second == 0) {
+        unused_triangles_.erase(fits);
+    }
+    return first;
+}
+
 bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
                         const ReducedShapes& reduced) {
     const SceneChanges& changes = scene.changes;
-    bool same = !changes.replaced && changes.arrived.empty() && scene.origin == origin_ &&
+    bool same = !changes.replaced && (admitted_ || changes.arrived.empty()) && scene.origin == origin_ &&
                 scene.instances.size() == instances_.size();
     for (std::size_t i = 0; same && i < instances_.size(); ++i) {
         same = instances_[i].id == scene.instances[i].id;
@@ -157,9 +224,11 @@ bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
     }
     frame_ = &scene;
     std::vector<bool> built(instances_.size(), false);
-    bool altered = !changes.moved.empty();
+    bool altered = !changes.moved.empty() || admitted_;
+    admitted_ = false;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-        if (!has_shape(shapes_[i], scene, scene.instances[i], reduced_of(reduced, i).get())) {
+        if (shapes_[i].geometry == kNoGeometry ||
+            !has_shape(shapes_[i], scene, scene.instances[i], reduced_of(reduced, i).get())) {
             build(i, materials, reduced_of(reduced, i));
             built[i] = altered = true;
         } else if (shapes_[i].posed == nullptr) {
@@ -169,7 +238,7 @@ bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
     ecs::detail::parallel_for(changes.moved.size(), [&](std::size_t k) {
         const std::uint32_t i = changes.moved[k];
         if (!built[i]) {
-            const RTCGeometry geometry = rtcGetGeometry(scene_, i);
+            const RTCGeometry geometry = rtcGetGeometry(scene_, shapes_[i].geometry);
             const bool refit = ++shapes_[i].moves % kMovesOfATree != 0;
             rtcSetGeometryBuildQuality(geometry, refit ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
             place(i, materials, geometry);
@@ -215,11 +284,20 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
     const Instance& instance = frame_->instances[index];
     const InstanceShape own(*frame_, instance);
     Shape& shape = shapes_[index];
-    if (shape.filter != nullptr) {
-        rtcDetachGeometry(scene_, static_cast<unsigned>(index));
+    std::uint32_t number = shape.geometry;
+    if (number != kNoGeometry) {
+        rtcDetachGeometry(scene_, number);
+    } else if (!unused_.empty()) {
+        number = unused_.back();
+        unused_.pop_back();
+    } else {
+        number = static_cast<std::uint32_t>(instance_of_.size());
+        instance_of_.emplace_back();
     }
+    instance_of_[number] = static_cast<std::uint32_t>(index);
     const DeformedMesh* deformed = own.deformed();
-    shape = {.mesh_version = frame_->mesh_version(instance).any,
+    shape = {.geometry = number,
+             .mesh_version = frame_->mesh_version(instance).any,
              .refined = deformed != nullptr && deformed->refined ? deformed->refined->serial : 0,
              .deformed = deformed != nullptr,
              .reduced = std::move(reduced),
@@ -235,9 +313,11 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
     placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
     placed.normals.resize(mesh.vertices.size());
     if (count > placed.triangle_places) {
-        placed.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+        if (placed.triangle_places > 0) {
+            unused_triangles_.emplace_back(placed.first_triangle, placed.triangle_places);
+        }
         placed.triangle_places = static_cast<std::uint32_t>(count);
-        triangles_.resize(triangles_.size() + count);
+        placed.first_triangle = place_for(placed.triangle_places);
     }
 
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -253,7 +333,7 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
     place(index, materials, geometry);
     rtcSetGeometryUserData(geometry, shape.filter.get());
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(index));
+    rtcAttachGeometryByID(scene_, geometry, number);
     rtcReleaseGeometry(geometry);
 }
 

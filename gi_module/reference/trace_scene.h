@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gi_module/reference/reduced_shape.h"
@@ -80,11 +81,18 @@ class TraceScene {
     TraceScene(const TraceScene&) = delete;
     TraceScene& operator=(const TraceScene&) = delete;
 
+    // Takes the instances of the next frame's scene, before follow(): those that are gone leave the
+    // structure, those that have come get a part of their own from follow(). The others keep theirs, whatever
+    // their numbers. Only for Structure::moving. False, and nothing is changed, if all are others or the
+    // origin moved: make it anew. O(instances).
+    bool admit(const FrameScene& scene);
+
     // Becomes the next frame's scene, by what its `changes` say: an instance that moved or deformed has its
     // own part of the structure refitted, one with other triangles has it built anew, the others are left
     // alone. Only for Structure::moving, and with the table that it was made with (which may have been
-    // assigned anew). False, and nothing is changed, if instances came or went, or the origin moved: make it
-    // anew. O(instances + vertices that moved); what moved is placed on several threads.
+    // assigned anew). False, and nothing is changed, if instances came or went that were not admitted, or the
+    // origin moved: make it anew. O(instances + vertices that moved); what moved is placed on several
+    // threads.
     bool follow(const FrameScene& scene, const MaterialTable& materials, const ReducedShapes& reduced = {});
 
     // The nearest surface with nearest < t < farthest.
@@ -109,6 +117,8 @@ class TraceScene {
     static bool is_occluded(const RTCRay& ray) { return ray.tfar < 0; }
 
     const std::vector<TraceInstance>& instances() const { return instances_; }
+    // Of what a query met, into instances().
+    std::uint32_t instance_of(const RTCRayHit& met) const { return instance_of_[met.hit.geomID]; }
     const std::vector<TraceTriangle>& triangles() const { return triangles_; }
     std::vector<TraceTriangle>& triangles() { return triangles_; }
     // Of one of the instance's own triangles (or of its reduced shape's), where it stands. Render space.
@@ -130,8 +140,10 @@ class TraceScene {
 
   private:
     struct FilterData;  // what Embree's filters need of an instance
+    static constexpr std::uint32_t kNoGeometry = 0xffffffffu;
     // Whose triangles an instance has, and where they stand.
     struct Shape {
+        std::uint32_t geometry = kNoGeometry;  // Embree's number; it has none before it is built
         std::uint64_t mesh_version = 0;
         std::uint64_t refined = 0;  // RefinedTopology::serial, or 0
         bool deformed = false;
@@ -150,6 +162,9 @@ class TraceScene {
     void place(std::size_t index, const MaterialTable& materials, RTCGeometry geometry);
     void find_blended(const MaterialTable& materials);
     void commit();
+    void remove(const Shape& shape, const TraceInstance& instance);
+    // A place in triangles() for so many.
+    std::uint32_t place_for(std::uint32_t count);
     static void pass_left_out(const RTCFilterFunctionNArguments* arguments);
     static void pass_backs(const RTCFilterFunctionNArguments* arguments);
 
@@ -160,6 +175,10 @@ class TraceScene {
     std::vector<Shape> shapes_;  // by instance
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
+    std::vector<std::uint32_t> instance_of_;                                 // by Embree's number
+    std::vector<std::uint32_t> unused_;                                      // of those numbers
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> unused_triangles_;  // where, how many
+    bool admitted_ = false;  // instances have come or gone since the last follow()
     bool has_blended_ = false;
     RayLog* log_ = nullptr;
 };
@@ -185,7 +204,7 @@ inline bool TraceScene::found(const RTCRayHit& query, SurfaceHit& hit) const {
     const vec3 origin(query.ray.org_x, query.ray.org_y, query.ray.org_z);
     const vec3 direction(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
     hit.t = query.ray.tfar;
-    hit.instance = query.hit.geomID;
+    hit.instance = instance_of(query);
     hit.primitive = query.hit.primID;
     hit.triangle = instances_[hit.instance].first_triangle + hit.primitive;
     hit.barycentric = {query.hit.u, query.hit.v};

@@ -17,7 +17,7 @@ bool FollowedScene::follow(const FrameScene& scene, const reference::ReducedShap
     if (!materials_ || materials_changed) {
         materials_.emplace(*scene.assets);
     }
-    const bool followed = scene_ && scene_->follow(scene, *materials_, reduced);
+    const bool followed = scene_ && scene_->admit(scene) && scene_->follow(scene, *materials_, reduced);
     if (!followed) {
         scene_.emplace(scene, *materials_, reference::Structure::moving, reduced);
         ++builds_;

@@ -14,7 +14,7 @@ class FollowedScene {
   public:
     // Forgets it: the next follow() builds it whole.
     void clear();
-    // Becomes this frame's scene: refits what moved, builds anew if instances came or went. `scene` must stay
+    // Becomes this frame's scene: refits what moved, builds what came, takes out what went. `scene` must stay
     // as it is until the last use of the frame. `detail`: of what moves or deforms. Whether surfaces or
     // materials differ from before. O(what changed); O(triangles log triangles) when built.
     bool follow(const FrameScene& scene, RayDetail detail = RayDetail::full);

@@ -110,9 +110,10 @@ class FaceRays {
     // surfaces a rasteriser may see otherwise: they are seen, and what lies behind them.
     void add(RTCRayHit& ray, const vec2& p, std::vector<SeenTriangle>& seen) const {
         for (int k = 0; ray.hit.geomID != RTC_INVALID_GEOMETRY_ID && k < kMostLookedThrough; ++k) {
+            const std::uint32_t instance = scene_.scene().instance_of(ray);
             const reference::MaterialConstants& material =
-                scene_.materials()[scene_.scene().instances()[ray.hit.geomID].material];
-            if (stands_[ray.hit.geomID] != 0) {
+                scene_.materials()[scene_.scene().instances()[instance].material];
+            if (stands_[instance] != 0) {
                 add_met(ray, p, seen);
                 if (!material.mask && !material.blend) {
                     return;
@@ -126,7 +127,7 @@ class FaceRays {
     }
 
     void add_met(const RTCRayHit& ray, const vec2& p, std::vector<SeenTriangle>& seen) const {
-        seen.push_back({ray.hit.geomID, ray.hit.primID});
+        seen.push_back({scene_.scene().instance_of(ray), ray.hit.primID});
         reference::SurfaceHit hit;
         scene_.scene().found(ray, hit);
         if (!hit.front) {

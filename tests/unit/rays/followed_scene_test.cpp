@@ -145,6 +145,52 @@ TEST(FollowedScene, IsTheSameAsOneMadeAnew) {
     expect_same_surfaces(kept, anew, 0);
 }
 
+// Balls come and go in front of, between and behind others, in any order.
+TEST(FollowedScene, TakesWhatComesAndLeavesWhatStays) {
+    FrameScene scene = support::scene_of(
+        {support::box(vec3(0), vec3(4, 2.6f, 3), true, 0), support::sphere(vec3(0), 0.2f, 2, false, 0),
+         support::box(vec3(-0.2f), vec3(0.2f), false, 0)},
+        {support::lambertian(vec3(0.5f))}, {}, vec3(3), vec3(1));
+    const std::vector<Instance> kinds = scene.instances;
+    scene.instances.resize(1);
+    scene.changes.arrived = {0};
+    FollowedScene kept;
+    kept.follow(scene);
+    std::uint32_t next = 100;
+    for (int frame = 0; frame < 40; ++frame) {
+        ++scene.frame;
+        scene.changes = {};
+        scene.changes.assets = scene.changes.lights = scene.changes.camera = false;
+        scene.changes.geometry = true;
+        const auto count = static_cast<int>(scene.instances.size());
+        if (frame % 3 == 2 && count > 2) {
+            scene.instances.erase(scene.instances.begin() + frame * 7 % count);  // the room, too
+        }
+        Instance comes = kinds[1 + static_cast<std::size_t>(frame) % 2];
+        comes.id = next++;
+        comes.transform[3] = vec4(0.4f + 0.08f * static_cast<float>(frame), 1.3f, 1.5f, 1);
+        comes.bounds = transformed(scene.assets->meshes[comes.mesh].bounds, comes.transform);
+        const auto at =
+            static_cast<std::uint32_t>(frame * 5 % (static_cast<int>(scene.instances.size()) + 1));
+        scene.instances.insert(scene.instances.begin() + at, comes);
+        scene.changes.arrived = scene.changes.moved = {at};
+        kept.follow(scene);
+        FollowedScene fresh;
+        fresh.follow(scene);
+        for (int i = 0; i < 60; ++i) {
+            const float a = 0.7f * static_cast<float>(i);
+            const vec3 origin(2, 2.4f, 1.5f), direction(std::sin(a), -0.5f + 0.01f * a, std::cos(3 * a));
+            SurfaceHit hit, expected;
+            ASSERT_EQ(met(kept, origin, direction, hit), met(fresh, origin, direction, expected));
+            EXPECT_EQ(hit.t, expected.t) << frame << ", " << i;
+            EXPECT_EQ(hit.instance, expected.instance) << frame << ", " << i;
+            EXPECT_EQ(hit.primitive, expected.primitive) << frame << ", " << i;
+        }
+    }
+    EXPECT_EQ(kept.builds(), 1u);
+    EXPECT_LT(kept.scene().triangles().size(), 2 * (12 + 20 * (320 + 12)));
+}
+
 // Vertices that are no numbers take their triangles away while they are, and nothing else.
 TEST(FollowedScene, OutlivesAPoseThatIsNoNumber) {
     BallRoom room;
