@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 #include "tools/editor/window/panels.h"
 #include "tools/workbench/measure/light_words.h"
@@ -127,8 +126,8 @@ void draw_ways(EditorState& state, WhyShown& why) {
         const reference::LightWay& way = split.ways[i];
         std::string words =
             fmt::format("{:>8} lx  {} > ", lux_text(way.lux), lamp_name(way.source, way.entity, why.name));
-        for (const std::uint32_t entity : std::views::reverse(way.entities)) {
-            words += why.name(entity) + " > ";
+        for (auto entity = way.entities.rbegin(); entity != way.entities.rend(); ++entity) {
+            words += why.name(*entity) + " > ";
         }
         words += "here";
         ImGui::PushID(static_cast<int>(i));
