@@ -300,7 +300,7 @@ ExitCode render(Options options) {
     const bool is_piece = !options.pieces.piece.empty();
     std::vector<Output> outputs =
         plan_outputs(options.aovs, is_piece ? "piece.exr" : options.output, technique_of(settings));
-    std::ranges::stable_partition(outputs, [](const Output& o) { return o.kind != nullptr; });
+    std::stable_partition(outputs.begin(), outputs.end(), [](const Output& o) { return o.kind != nullptr; });
     job.aovs.clear();
     for (const Output& output : outputs) {
         if (output.kind != nullptr) {

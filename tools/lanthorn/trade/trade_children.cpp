@@ -7,6 +7,7 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/load_scene.h"
+#include "tools/lanthorn/common/common_options.h"
 
 namespace lanthorn::tools {
 
