@@ -277,7 +277,7 @@ ImageF picture_of(const TradeView& view, const std::string& reference, int width
         workbench::heat_map(workbench::relative_error(view.indirect, truth, mean), truth.width, truth.height);
     const ImageF left = scaled(view.final, width), right = scaled(error, width);
     ImageF both{left.width + right.width, left.height, 3, {}, {}};
-    const auto row = static_cast<std::ptrdiff_t>(3 * left.width);
+    const std::ptrdiff_t row = std::ptrdiff_t{3} * left.width;
     for (int y = 0; y < left.height; ++y) {
         for (const ImageF* half : {&left, &right}) {
             const auto start = half->pixels.begin() + y * row;
