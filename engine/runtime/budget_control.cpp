@@ -14,10 +14,13 @@ constexpr std::size_t kFrames = 31;     // that are looked at
 constexpr std::size_t kFewest = 9;      // that can say something
 constexpr std::size_t kFewestSlow = 3;  // the same where they take kSlow milliseconds together
 constexpr double kSlow = 1500;
-constexpr int kDisturbed = 4;    // frames after a change: buffers and histories are made again
-constexpr double kJudged = 0.8;  // of the frames stay within the budget: the rest are bursts
-constexpr double kAim = 0.96;    // of the budget, when something is lowered
-constexpr double kRoom = 0.93;   // of the budget, that what is raised may take
+constexpr std::size_t kSudden =
+    3;  // frames one after the other, late by kSuddenOver, that are of another scene
+constexpr double kSuddenOver = 1.15;  // of the budget
+constexpr int kDisturbed = 4;         // frames after a change: buffers and histories are made again
+constexpr double kJudged = 0.8;       // of the frames stay within the budget: the rest are bursts
+constexpr double kAim = 0.96;         // of the budget, when something is lowered
+constexpr double kRoom = 0.93;        // of the budget, that what is raised may take
 constexpr double kSoonest = 2000, kLatest = 64'000;  // milliseconds
 constexpr double kKept = 8000;  // milliseconds: what was raised and holds for so long was right
 constexpr double kMostDistrust = 3;
@@ -32,6 +35,14 @@ constexpr std::size_t kDecisions = 1000;
 
 bool is_time(double ms) {
     return std::isfinite(ms) && ms >= 0;
+}
+
+// Whether the last frames are late by so much that what was before them tells nothing of the next.
+bool is_sudden(const std::deque<BudgetControl::Frame>& frames, double budget) {
+    return budget > 0 && frames.size() >= kSudden &&
+           std::all_of(frames.end() - kSudden, frames.end(), [budget](const BudgetControl::Frame& frame) {
+               return frame.busy_ms > kSuddenOver * budget;
+           });
 }
 
 }  // namespace
@@ -159,7 +170,11 @@ void BudgetControl::frame(const Frame& frame) {
             errors_.pop_front();
         }
     }
-    if (!can_tell() || decide_time()) {
+    const bool sudden = rung_ + 1 < ladder_.rungs.size() && is_sudden(frames_, wish_.ms);
+    if (sudden) {
+        frames_.erase(frames_.begin(), frames_.end() - kSudden);
+    }
+    if ((!sudden && !can_tell()) || decide_time()) {
         return;
     }
     if (wish_.error > 0) {

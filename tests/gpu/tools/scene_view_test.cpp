@@ -136,13 +136,52 @@ TEST_F(SceneViewOptions, TradeTakesScenesByCameraAndRefusesOtherMotions) {
     }
     EXPECT_NE(testing_tools::file_bytes(path("out/trade.csv")).find("two-rooms-dark-walk,none"),
               std::string::npos);
-    for (const auto& [scene, motion, problem] : {std::tuple("two-rooms.glb@dark", "jump", "jump"),
-                                                 std::tuple("two-rooms.glb@roof", "light", "roof")}) {
+    for (const auto& [scene, motion, problem] :
+         {std::tuple("two-rooms.glb@dark", "jump", "jump"), std::tuple("two-rooms.glb@roof", "light", "roof"),
+          std::tuple("two-rooms.glb", "figure", "it has no animation"),
+          std::tuple("near-lamp.glb", "box", "no room for a box")}) {
         const Outcome refused = trade(scene, motion);
         EXPECT_EQ(refused.code, 2) << refused.err;
         EXPECT_EQ(refused.error_lines(), 1) << refused.err;
         EXPECT_NE(refused.err.find(problem), std::string::npos) << refused.err;
     }
+}
+
+// Of two scenes one has a figure; both have room for a box, which is in the reference, too.
+TEST_F(SceneViewOptions, TradeLeavesOutAMotionThatASceneLacks) {
+    const std::string puppet = support::repository_file("assets/puppet.glb");
+    const std::string rooms = support::repository_file("assets/two-rooms.glb");
+    const Outcome result = run({"trade",
+                                puppet,
+                                rooms,
+                                "-o",
+                                path("out"),
+                                "--technique",
+                                "none",
+                                "--preset",
+                                "low",
+                                "--presets-only",
+                                "--size",
+                                "24x16",
+                                "--frames",
+                                "1",
+                                "--warmup",
+                                "0",
+                                "--reference-spp",
+                                "2",
+                                "--motion",
+                                "walk,box,figure"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.err.find(rooms + ": it has no animation, expected some for --motion figure: left out"),
+              std::string::npos)
+        << result.err;
+    const std::string csv = testing_tools::file_bytes(path("out/trade.csv"));
+    for (const char* row :
+         {"puppet-walk,", "puppet-box,", "puppet-figure,", "two-rooms-walk,", "two-rooms-box,"}) {
+        EXPECT_NE(csv.find(row), std::string::npos) << row;
+    }
+    EXPECT_EQ(csv.find("two-rooms-figure"), std::string::npos);
+    EXPECT_EQ(testing_tools::files_in(path("out/references")).size(), 15u) << "five motions and scenes";
 }
 
 }  // namespace

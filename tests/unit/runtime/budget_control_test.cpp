@@ -114,6 +114,26 @@ TEST(BudgetControl, AStressKeepsTheBudgetAndUsesIt) {
     }
 }
 
+// Three late frames are a scene that is another: they alone say what the next ones take. Two are a burst.
+TEST(BudgetControl, AnswersASuddenChangeByItsOwnFrames) {
+    constexpr int kBefore = 200;
+    BudgetControl control;
+    control.set({.ms = 100, .error = 0}, ladder());
+    // From pixels alone to light alone.
+    const Scene scene = [](int frame) {
+        return frame < kBefore ? std::vector{4.0, 60.0, 10.0} : std::vector{150.0, 20.0, 10.0};
+    };
+    const Ran ran = run(control, {scene}, kBefore + 100);
+    EXPECT_EQ(control.changes(), 1) << "one decision finds the rung";
+    EXPECT_EQ(control.decisions().front().frame, kBefore + 2);
+    EXPECT_GE(ran.share_below(110, kBefore + 4), 0.99);
+
+    BudgetControl patient;
+    patient.set({.ms = 100, .error = 0}, ladder());
+    run(patient, {[](int frame) { return steady(frame % 20 < 2 ? 200 : 70)(frame); }}, 400);
+    EXPECT_EQ(patient.changes(), 0);
+}
+
 TEST(BudgetControl, DoesNotGoUpAndDownWhereNothingChanges) {
     for (double ms = 60; ms < 800; ms *= 1.07) {
         BudgetControl control;

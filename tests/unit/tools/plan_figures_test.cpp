@@ -14,8 +14,11 @@ namespace plan_figures_test {
 
 // Each case costs what is planned and `more` of it, in the case's own place.
 PlanScene scene(const std::string& name, double gi, double more) {
-    PlanScene s{name, {"rest", "lamp"}, {}};
-    const std::size_t cases = rule_switches().size() + 2;
+    PlanScene s{name, {"rest", "lamp"}, {}, {}};
+    for (const RuleSwitch& rule : rule_switches()) {
+        s.rules.push_back(rule.setting);
+    }
+    const std::size_t cases = s.rules.size() + 2;
     for (std::size_t c = 0; c < cases; ++c) {
         const double extra = more * static_cast<double>(c);
         s.cases.push_back({{gi + extra, 5, 0.1, 20}, {gi + 3 * extra, 5, 0.2 - 0.01 * extra, 20 + extra}});
@@ -72,7 +75,11 @@ TEST(PlanFigures, SurviveTheirJson) {
     EXPECT_EQ(after.motions, before.motions);
     EXPECT_EQ(plan_markdown({after}), plan_markdown({before}));
     nlohmann::ordered_json damaged = plan_json(before);
-    damaged["cases"].erase(damaged["cases"].begin());
+    damaged["cases"].erase(0);
+    damaged["cases"].erase(0);
+    EXPECT_THROW(plan_from_json(damaged, "a.json"), InputError) << "a case is missing";
+    damaged = plan_json(before);
+    damaged["rules"][2] = "gi.plan.weather";
     EXPECT_THROW(plan_from_json(damaged, "a.json"), InputError) << "of another build's rules";
     damaged = plan_json(before);
     damaged["motions"].push_back("walk");
@@ -85,8 +92,21 @@ TEST(PlanFigures, TheTableHasARowARuleAndARowAScene) {
     for (const RuleSwitch& rule : rule_switches()) {
         EXPECT_NE(table.find("| `" + rule.setting + "` | " + rule.leaves_out + " | "), std::string::npos);
     }
-    EXPECT_NE(table.find("| a | 1.0 ms | 21.0 ms | 21.0 |"), std::string::npos) << table;
-    EXPECT_NE(table.find("| **median** | | | **16.0** |"), std::string::npos) << table;
+    EXPECT_NE(table.find("| a | 1.0 ms | 23.0 ms | 23.0 |"), std::string::npos) << table;
+    EXPECT_NE(table.find("| **median** | | | **17.5** |"), std::string::npos) << table;
+}
+
+// Of some rules alone: what everything on would cost was not measured.
+TEST(PlanFigures, RulesThatAreMeasuredAloneHaveRowsAlone) {
+    PlanScene some = scene("a", 1, 1);
+    some.rules = {"render.still.kept"};
+    some.cases.resize(2);
+    EXPECT_FALSE(some.has_everything());
+    const std::string table = plan_markdown({plan_from_json(plan_json(some), "a.json")});
+    EXPECT_NE(table.find("| `render.still.kept` | "), std::string::npos) << table;
+    EXPECT_EQ(table.find("gi.plan."), std::string::npos) << table;
+    EXPECT_EQ(table.find("median**"), std::string::npos) << table;
+    EXPECT_THROW(rule_named("gi.plan.weather"), InputError);
 }
 
 }  // namespace plan_figures_test

@@ -13,6 +13,7 @@
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/trade_measure.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
@@ -111,6 +112,14 @@ TEST_F(TradeSweep, ShowsBothFinalStagesOfEachPreset) {
     }
 }
 
+TEST_F(TradeSweep, LeavesOutWhatStandsBesidePresets) {
+    Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low"});
+    sweep.own_stage = true;
+    sweep.knobs = {parse_knob("gi.emc.rays=maps", schema_)};
+    EXPECT_EQ(labels(sweep),
+              (std::vector<std::string>{"low", "medium, gi.emc.rays=maps", "coarse-path low"}));
+}
+
 TEST_F(TradeSweep, DrawsBothFinalStagesAsPresets) {
     TradeResult preset = result(2, 0.5);
     preset.point.assignments.clear();
@@ -138,9 +147,9 @@ TEST_F(TradeSweep, HasEachMotionAsPointsOfItsOwn) {
     Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low"});
     sweep.presets_only = true;
     const std::size_t one = sweep_points(sweep, schema_).size();
-    sweep.motions = {TradeMotion::lamp, TradeMotion::walk, TradeMotion::figure};
+    sweep.motions = {TradeMotion::lamp, TradeMotion::walk, TradeMotion::box, TradeMotion::figure};
     const std::vector<TradePoint> points = sweep_points(sweep, schema_);
-    EXPECT_EQ(points.size(), 3 * one);
+    EXPECT_EQ(points.size(), 4 * one);
     for (const TradeMotion motion : sweep.motions) {
         EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(points, motion, &TradePoint::motion)), one)
             << name_of(motion);
@@ -155,8 +164,22 @@ TEST(TradeMeasurement, ComparesAFigureWhereItArrives) {
     job.view.time = 1;
     job.frames = 5;
     job.warmup = 8;
-    EXPECT_DOUBLE_EQ(*last_view(TradeMotion::walk, job).time, 1);
-    EXPECT_DOUBLE_EQ(*last_view(TradeMotion::figure, job).time, 1 + 12 / 60.0);
+    const ListedScene puppet = listed_scene(support::repository_file("assets/puppet.glb"), job.view);
+    EXPECT_DOUBLE_EQ(*last_view(puppet, TradeMotion::walk, job).view.time, 1);
+    EXPECT_DOUBLE_EQ(*last_view(puppet, TradeMotion::figure, job).view.time, 1 + 12 / 60.0);
+}
+
+// A box is in what the last frame is compared with, and in no other motion's.
+TEST(TradeMeasurement, ComparesABoxWhereItArrives) {
+    const TradeMeasurement job;
+    const ListedScene rooms = listed_scene(support::repository_file("assets/two-rooms.glb"), job.view);
+    EXPECT_FALSE(last_view(rooms, TradeMotion::lamp, job).view.box);
+    const LastView last = last_view(rooms, TradeMotion::box, job);
+    ASSERT_TRUE(last.view.box);
+    EXPECT_EQ(load_scene(rooms.file, last.view).nodes.size(),
+              load_scene(rooms.file, rooms.view).nodes.size() + 1);
+    EXPECT_EQ(last_view(rooms, TradeMotion::figure, job).lacking,
+              "it has no animation, expected some for --motion figure");
 }
 
 TEST_F(TradeSweep, ThePapersOwnWayHasThePapersEpsilon) {
@@ -351,6 +374,24 @@ TEST(TradeReports, DrawingShowsMeasuredPointsAlone) {
     EXPECT_NE(svg.find("data-i=\"1\""), std::string::npos);
     EXPECT_EQ(svg.find("data-i=\"2\""), std::string::npos);
     EXPECT_NE(trade_svg({}, {}).find("</svg>"), std::string::npos);
+}
+
+TEST(TradeReports, DrawingHasTimeMemoryAndSpread) {
+    std::vector<TradeResult> results = {result(10, 0.5), result(20, 0.2)};
+    EXPECT_EQ(trade_svg(results, {}).find("class=\"spread\""), std::string::npos) << "one seed has none";
+    for (TradeResult& r : results) {
+        r.figures.gpu_mb = 100;
+        r.figures.seeds = 5;
+        r.figures.relrmse_least = 0.9 * r.figures.relrmse;
+        r.figures.relrmse_most = 1.2 * r.figures.relrmse;
+    }
+    const std::string svg = trade_svg(results, {});
+    EXPECT_NE(svg.find("10 ms, relRMSE 0.5"), std::string::npos);
+    EXPECT_NE(svg.find("100 GPU MB, relRMSE 0.5"), std::string::npos);
+    EXPECT_NE(svg.find(">all seeds</text>"), std::string::npos);
+    EXPECT_NE(svg.find(">gi.photons</text>"), std::string::npos) << "of two values";
+    results.pop_back();
+    EXPECT_NE(trade_svg(results, {}).find(">gi.photons=10</text>"), std::string::npos) << "of one";
 }
 
 }  // namespace

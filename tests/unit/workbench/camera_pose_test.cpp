@@ -23,6 +23,18 @@ TEST(CameraPose, WhatIsNoneIsRefused) {
     }
 }
 
+TEST(PlacedBox, IsReadAgainAsTheSameBits) {
+    for (const PlacedBox& box : {PlacedBox{{0.1, -1e-7, 123456.789012345}, 1.0 / 3}, PlacedBox{{}, 1}}) {
+        const PlacedBox read = box_of(text_of(box));
+        EXPECT_EQ(read.centre, box.centre);
+        EXPECT_EQ(read.side, box.side);
+    }
+    for (const char* text :
+         {"", "1,2,3", "1,2,3,4,5", "1,2,3,0", "1,2,3,-1", "1,2,3,x", "nan,0,0,1", "1,2,3,4,"}) {
+        EXPECT_THROW(box_of(text), InputError) << text;
+    }
+}
+
 TEST(CameraPose, YawTurnsLeftAndPitchUp) {
     const auto ahead = [](const CameraPose& pose) { return -dvec3(transform_of(pose).matrix()[2]); };
     EXPECT_LT(glm::length(ahead({}) - dvec3(0, 0, -1)), 1e-6);

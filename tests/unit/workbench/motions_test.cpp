@@ -114,6 +114,26 @@ TEST(Motions, HaveABoxOfTheirOwn) {
     EXPECT_EQ(box_of(stands.show(3)), box_of(stands.show(4)));
     EXPECT_EQ(reference::scene_hash(moves.show(kFrames)), reference::scene_hash(stands.show(kFrames)));
     EXPECT_NEAR(glm::length(box_of(moves.show(kFrames)) - moves.box().centre()), 0, 1e-5);
+
+    SceneData with_box = scene;
+    place_box(with_box, moves.placed_box().value());
+    EXPECT_EQ(reference::scene_hash(moving(with_box, Motion::rest).show(kFrames)),
+              reference::scene_hash(moves.show(kFrames)))
+        << "what a reference is traced of";
+    EXPECT_EQ(moving(scene, Motion::rest).placed_box(), std::nullopt);
+}
+
+// A room that is a camera's width deep has none in front of it.
+TEST(Motions, SayWhereABoxHasNoRoom) {
+    SceneData scene = scene_generator::two_rooms();
+    for (NodeData& node : scene.nodes) {
+        if (node.camera != kNone) {
+            node.local.translation = dvec3(0, 100, 0);
+        }
+    }
+    const MovingScene moves = moving(scene, Motion::box);
+    EXPECT_NE(moves.lacking().find("no room for a box"), std::string::npos) << moves.lacking();
+    EXPECT_EQ(moves.placed_box(), std::nullopt);
 }
 
 TEST(Motions, PlayFigures) {

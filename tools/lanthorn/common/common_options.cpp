@@ -98,6 +98,9 @@ std::vector<std::string> view_arguments(const SceneView& view, double default_ti
     if (!view.variant.empty()) {
         arguments.insert(arguments.end(), {"--variant", view.variant});
     }
+    if (view.box) {
+        arguments.push_back("--box=" + text_of(*view.box));
+    }
     if (view.allow_outside) {
         arguments.emplace_back("--allow-outside");
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "tools/lanthorn/common/svg.h"
 
@@ -64,6 +65,17 @@ std::string parts(const BudgetRecord& record, const Strip& strip, double height)
     shade(&BudgetFrame::moves, "#eef3fa");
     shade(&BudgetFrame::core, "#f7dfc4");
     return svg;
+}
+
+// Of the frames that are `moves` and `core`; none: nothing.
+std::string part_text(const BudgetRecord& record, double budget, const char* what, bool moves, bool core) {
+    BudgetRecord part;
+    std::ranges::copy_if(record.frames, std::back_inserter(part.frames), [&](const BudgetFrame& frame) {
+        return frame.moves == moves && frame.core == core;
+    });
+    return part.frames.empty() ? std::string()
+                               : fmt::format("{}: {:.0f} % used, 95th percentile {:.2f}\n", what,
+                                             100 * part.mean(0) / budget, part.percentile(0.95, 0) / budget);
 }
 
 }  // namespace
@@ -149,6 +161,11 @@ std::string budget_text(const BudgetRecord& record, const BudgetRunJob& job) {
         text +=
             fmt::format("{:.0f} % of the budget used, 95th percentile {:.2f} of it\n",
                         100 * record.mean(from) / job.wish.ms, record.percentile(0.95, from) / job.wish.ms);
+    }
+    if (job.wish.ms > 0) {
+        text += part_text(record, job.wish.ms, "at rest", false, false) +
+                part_text(record, job.wish.ms, "in motion", true, false) +
+                part_text(record, job.wish.ms, "in motion, beside another program", true, true);
     }
     text += record.outcome.verdict + '\n';
     for (const BudgetStep& step : record.outcome.steps) {

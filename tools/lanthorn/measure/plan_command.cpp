@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -31,7 +32,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::vector<std::string> scenes, motions = {"rest", "lamp", "walk", "box"};
+    std::vector<std::string> scenes, motions = {"rest", "lamp", "walk", "box"}, rules;
     SettingsChoice settings;
     SceneView view;
     std::string size = "192x192", output;
@@ -47,25 +48,40 @@ MotionJob job_of(const Options& options) {
     return job;
 }
 
-// All rules on; each off; all off.
+// Those that are asked for, or all.
+std::vector<std::string> rules_of(const Options& options) {
+    std::vector<std::string> rules;
+    if (options.rules.empty()) {
+        std::ranges::transform(rule_switches(), std::back_inserter(rules), &RuleSwitch::setting);
+    }
+    for (const std::string& rule : options.rules) {
+        rules.push_back(rule_named(rule).setting);
+    }
+    return rules;
+}
+
+// All rules on; each off; all off, unless some were asked for.
 std::vector<MotionCase> cases_of(const Options& options, const SettingsSchema& schema) {
     std::vector<MotionCase> cases = {case_of("planned", options.settings, schema)};
     Settings everything = cases.front().settings;
-    for (const RuleSwitch& rule : rule_switches()) {
+    for (const std::string& rule : rules_of(options)) {
         Settings off = cases.front().settings;
-        off.set<bool>(rule.setting, false);
-        everything.set<bool>(rule.setting, false);
-        cases.push_back({rule.setting, std::move(off)});
+        off.set<bool>(rule, false);
+        everything.set<bool>(rule, false);
+        cases.push_back({rule, std::move(off)});
     }
-    cases.push_back({"everything on", std::move(everything)});
+    if (options.rules.empty()) {
+        cases.push_back({"everything on", std::move(everything)});
+    }
     return cases;
 }
 
 // Of what each round found: medians of times; errors and memory are the same in all.
-PlanScene over_rounds(const std::string& name,
+PlanScene over_rounds(const std::string& name, const std::vector<std::string>& rules,
                       const std::vector<std::vector<std::vector<MotionFigures>>>& rounds) {
     PlanScene scene;
     scene.name = name;
+    scene.rules = rules;
     const auto& first = rounds.front();
     scene.cases.resize(first.size());
     for (std::size_t m = 0; m < first.front().size(); ++m) {
@@ -103,6 +119,7 @@ class PlanFolder {
                             {"rounds", options.rounds},
                             {"spp", options.spp},
                             {"motions", options.motions},
+                            {"rules", options.rules},
                             {"preset", options.settings.preset},
                             {"set", options.settings.set},
                             {"commit", kCommit},
@@ -180,7 +197,7 @@ ExitCode run(const Options& options) {
         for (int round = 0; round < options.rounds; ++round) {
             of_rounds.push_back(measure_motions(scene, cases, job, references, [&] { work.step(); }));
         }
-        scenes.push_back(over_rounds(scene.name, of_rounds));
+        scenes.push_back(over_rounds(scene.name, rules_of(options), of_rounds));
         folder.keep(scenes.back());
     }
     folder.write(scenes);
@@ -212,6 +229,13 @@ Command add_measure_plan(CLI::App& measure) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"rest", "lamp", "dim", "walk", "pan", "box", "figure"}));
+    command
+        ->add_option(
+            "--rule", options->rules,
+            "rules to measure, by their settings, separated by commas (default: all, and all of them "
+            "off at once)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--frames", options->frames, "frames of each motion; the second half is measured")
         ->check(CLI::Range(kChanges + 1, 100000))

@@ -51,13 +51,28 @@ double frame(const PlanCost& cost) {
 
 std::vector<RuleSwitch> rule_switches() {
     std::vector<RuleSwitch> list;
-    list.reserve(gi::kPlanRules.size() + 1);
+    list.reserve(gi::kPlanRules.size() + 2);
     for (const gi::PlanRule& rule : gi::kPlanRules) {
         list.push_back({rule.name, rule.leaves_out});
     }
     list.push_back(
         {"render.shadow.kept", "shadow maps in which neither the lamp nor anything else has moved"});
+    list.push_back({"render.still.kept",
+                    "the G-buffer while neither the view nor surfaces change, and direct light while lamps "
+                    "do not either"});
     return list;
+}
+
+RuleSwitch rule_named(const std::string& setting) {
+    const std::vector<RuleSwitch> rules = rule_switches();
+    const auto found = std::ranges::find(rules, setting, &RuleSwitch::setting);
+    if (found == rules.end()) {
+        std::vector<std::string> names;
+        std::ranges::transform(rules, std::back_inserter(names), &RuleSwitch::setting);
+        throw InputError(
+            fmt::format("found no rule '{}', expected one of {}", setting, fmt::join(names, ", ")));
+    }
+    return *found;
 }
 
 RuleFigures rule_figures(const std::vector<PlanScene>& scenes, std::size_t off) {
@@ -100,15 +115,18 @@ PlanRatio everything_over_planned(const PlanScene& scene) {
 }
 
 std::string plan_markdown(const std::vector<PlanScene>& scenes) {
-    const std::vector<RuleSwitch> rules = rule_switches();
+    const std::vector<std::string>& rules = scenes.front().rules;
     std::string text =
         "| rule | leaves out | saves, median scene | best scene | adds to relRMSE at most | GPU memory |\n"
         "|---|---|---|---|---|---|\n";
     for (std::size_t r = 0; r < rules.size(); ++r) {
         const RuleFigures f = rule_figures(scenes, r + 1);
         text += fmt::format("| `{}` | {} | {:.2f} ms | {:.2f} ms ({}, {}) | {:+.3f} ({}) | {:.1f} MB |\n",
-                            rules[r].setting, rules[r].leaves_out, f.saved_median, f.saved_best, f.best_scene,
-                            f.best_motion, f.error_most, f.worst_scene, f.mb_most);
+                            rules[r], rule_named(rules[r]).leaves_out, f.saved_median, f.saved_best,
+                            f.best_scene, f.best_motion, f.error_most, f.worst_scene, f.mb_most);
+    }
+    if (!scenes.front().has_everything()) {
+        return text;
     }
     text +=
         "\n| scene | indirect light, planned | everything on | ratio | whole frame, ratio | relRMSE, planned "
@@ -140,7 +158,10 @@ ordered_json plan_json(const PlanScene& scene) {
         }
         cases.push_back(std::move(list));
     }
-    return {{"scene", scene.name}, {"motions", scene.motions}, {"cases", std::move(cases)}};
+    return {{"scene", scene.name},
+            {"motions", scene.motions},
+            {"rules", scene.rules},
+            {"cases", std::move(cases)}};
 }
 
 ordered_json plan_json(const std::vector<PlanScene>& scenes) {
@@ -167,6 +188,12 @@ std::vector<PlanScene> read_plan(const std::filesystem::path& file) {
     if (scenes.empty()) {
         throw InputError(file.string(), "", "has no scenes, expected what measure plan --json prints");
     }
+    for (const PlanScene& scene : scenes) {
+        if (scene.rules != scenes.front().rules ||
+            scene.has_everything() != scenes.front().has_everything()) {
+            throw InputError(file.string(), scene.name, "is of other rules than the scene before");
+        }
+    }
     return scenes;
 }
 
@@ -175,6 +202,8 @@ PlanScene plan_from_json(const ordered_json& json, const std::string& source) {
     try {
         scene.name = json.at("scene");
         scene.motions = json.at("motions").get<std::vector<std::string>>();
+        scene.rules = json.at("rules").get<std::vector<std::string>>();
+        std::ranges::for_each(scene.rules, rule_named);
         for (const ordered_json& motions : json.at("cases")) {
             std::vector<PlanCost>& list = scene.cases.emplace_back();
             for (const ordered_json& cost : motions) {
@@ -188,8 +217,8 @@ PlanScene plan_from_json(const ordered_json& json, const std::string& source) {
     } catch (const ordered_json::exception& error) {
         throw InputError(source, "", fmt::format("is no measured scene: {}", error.what()));
     }
-    if (scene.motions.empty() || scene.cases.size() != rule_switches().size() + 2) {
-        throw InputError(source, "", "is of other rules");
+    if (scene.motions.empty() || (!scene.has_everything() && scene.cases.size() != scene.rules.size() + 1)) {
+        throw InputError(source, "", "has not as many cases as its rules make");
     }
     return scene;
 }

@@ -15,8 +15,10 @@ struct RuleSwitch {
     std::string setting;  // a boolean; false: the plan works as if the scene required it
     std::string leaves_out;
 };
-// Those of indirect light, then that of shadow maps.
+// Those of indirect light, then those of shadow maps and of a view that stands.
 std::vector<RuleSwitch> rule_switches();
+// The one of that setting. Throws InputError, which lists them, for another.
+RuleSwitch rule_named(const std::string& setting);
 
 // A frame of a scene in a motion, by one case.
 struct PlanCost {
@@ -30,8 +32,11 @@ struct PlanCost {
 struct PlanScene {
     std::string name;
     std::vector<std::string> motions;
-    // [case][motion]: all rules on; each of rule_switches() off; all off.
+    std::vector<std::string> rules;  // that were switched off, by their settings
+    // [case][motion]: all rules on; each of `rules` off; all off, where it was measured.
     std::vector<std::vector<PlanCost>> cases;
+
+    bool has_everything() const { return cases.size() == rules.size() + 2; }
 };
 
 // A rule over all scenes. Times are means over a scene's motions.
@@ -53,14 +58,16 @@ struct PlanRatio {
 // A mean over motions of what is planned that takes no time at all counts as a thousandth of a millisecond.
 PlanRatio everything_over_planned(const PlanScene& scene);
 
-// The tables of docs/plan.md: rules, and scenes.
+// The tables of docs/plan.md: rules, and scenes where everything_over_planned() is known. Of scenes with the
+// same rules.
 std::string plan_markdown(const std::vector<PlanScene>& scenes);
 nlohmann::ordered_json plan_json(const PlanScene& scene);
 // The object that the command prints for --json.
 nlohmann::ordered_json plan_json(const std::vector<PlanScene>& scenes);
 // What plan_json() wrote. Throws InputError, which names `source`, for anything else.
 PlanScene plan_from_json(const nlohmann::ordered_json& json, const std::string& source);
-// A file of what the command printed for --json. Throws InputError for any other.
+// A file of what the command printed for --json. Throws InputError for any other, and for scenes of several
+// lists of rules.
 std::vector<PlanScene> read_plan(const std::filesystem::path& file);
 
 }  // namespace lanthorn::tools

@@ -39,7 +39,7 @@ namespace lanthorn::tools {
 namespace {
 
 struct Options {
-    std::string scene, output, technique, pose, size = "512x512", stats, trace, checkpoint, turntable;
+    std::string scene, output, technique, pose, box, size = "512x512", stats, trace, checkpoint, turntable;
     std::vector<std::string> aovs;
     SettingsChoice settings;
     std::optional<int> seed, spp, frames;
@@ -283,6 +283,9 @@ ExitCode render(Options options) {
     configure(settings, options);
     RenderJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
+    if (!options.box.empty()) {
+        job.view.box = box_of(options.box);
+    }
     if (!options.turntable.empty()) {
         return turn(options, settings);
     }
@@ -388,6 +391,9 @@ Command add_render(CLI::App& app) {
         "X,Y,Z,YAW,PITCH[,FOV]: look from there instead (metres; degrees: 0,0 along -Z, 90,0 along "
         "-X; 60 high); a default light stays where --camera has it");
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
+    command->add_option("--box", options->box,
+                        "X,Y,Z,SIDE: put an upright grey box into the scene, its middle and its length in "
+                        "metres; where trade --motion box ends");
     command
         ->add_option("--frames", options->frames,
                      "frames to measure; the last is written (default: 1). With --turntable: pictures of the "

@@ -169,9 +169,10 @@ ExitCode trade(Options options) {
     for (const std::string& knob : options.knobs) {
         options.sweep.knobs.push_back(parse_knob(knob, schema));
     }
-    const std::vector<TradePoint> points =
-        with_seeds(sweep_points(options.sweep, schema), options.seeds, schema);
+    std::vector<TradePoint> swept = sweep_points(options.sweep, schema);
     const TradeFolder folder(options);
+    std::erase_if(swept, [&](const TradePoint& point) { return !folder.has(point.scene, point.motion); });
+    const std::vector<TradePoint> points = with_seeds(swept, options.seeds, schema);
 
     const StopSignal stop;
     std::set<std::tuple<std::string, TradeMotion, int>> references;
@@ -270,6 +271,10 @@ Command add_trade(CLI::App& app) {
     command->add_flag("--product", sweep.product,
                       "all combinations of the knobs instead of one at a time, up to 10000 a technique");
     command->add_flag("--presets-only", sweep.presets_only, "turn no knobs");
+    command->add_flag(
+        "--own-stage", sweep.own_stage,
+        "leave out what stands beside emc's presets: their other final stage, and the paper's own "
+        "way");
     command
         ->add_option(
             "--set", sweep.common,
@@ -282,8 +287,9 @@ Command add_trade(CLI::App& app) {
     command
         ->add_option("--motion", options->motions,
                      "what changes in each frame, a chart each, separated by commas: light (default), lamp "
-                     "and walk (2 cm "
-                     "a frame), figure (the animation plays from --time on)")
+                     "and walk (2 cm a frame), box (a grey one, put into the middle of the picture, 3 cm), "
+                     "figure (the animation plays from --time on). A scene that lacks one is left out of its "
+                     "chart")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(is_motion());

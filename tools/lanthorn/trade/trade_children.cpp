@@ -33,7 +33,7 @@ ChildOutcome run_own(const std::vector<std::string>& arguments) {
 void make_reference(const TradeFolder& folder, const TradeOptions& options, const std::string& scene,
                     TradeMotion motion, int bounces, const StopSignal& stop) {
     const fs::path stem = folder.reference(scene, motion, bounces);
-    const ListedScene listed = listed_scene(scene, last_view(motion, options.job));
+    const std::string file = listed_scene(scene, {}).file;
     const std::vector<std::string> aovs =
         bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
     if (std::ranges::all_of(
@@ -44,7 +44,7 @@ void make_reference(const TradeFolder& folder, const TradeOptions& options, cons
         const std::string part = stem.string() + '-' + aov + ".part.exr";
         std::vector<std::string> command = {
             "render",
-            listed.file,
+            file,
             "-o",
             part,
             "--technique",
@@ -65,7 +65,7 @@ void make_reference(const TradeFolder& folder, const TradeOptions& options, cons
         for (const std::string& assignment : of_references(options)) {
             command.insert(command.end(), {"--set", assignment});
         }
-        const std::vector<std::string> view = view_arguments(listed.view, 0);
+        const std::vector<std::string> view = view_arguments(folder.shown_last(scene, motion), 0);
         command.insert(command.end(), view.begin(), view.end());
         if (options.by_others()) {
             command.insert(

@@ -53,6 +53,29 @@ TradeFolder::TradeFolder(const TradeOptions& options) : options_(options), folde
         shown.show_at(options.job.view.time.value_or(0));
         hashes_[scene] = reference::scene_hash(shown.frame());
     }
+    find_motions();
+}
+
+// A scene that lacks a motion is left out of its chart, unless none has it.
+void TradeFolder::find_motions() {
+    for (const TradeMotion motion : options_.sweep.motions) {
+        std::vector<InputError> lacking;
+        for (const std::string& scene : options_.sweep.scenes) {
+            const ListedScene listed = listed_scene(scene, options_.job.view);
+            LastView last = last_view(listed, motion, options_.job);
+            if (last.lacking.empty()) {
+                views_.emplace(std::pair(scene, motion), std::move(last.view));
+            } else {
+                lacking.emplace_back(listed.file, "", last.lacking);
+            }
+        }
+        if (lacking.size() == options_.sweep.scenes.size()) {
+            throw lacking.front();
+        }
+        for (const InputError& one : lacking) {
+            fmt::print(stderr, "lanthorn: warning: {}: left out\n", one.what());
+        }
+    }
 }
 
 fs::path TradeFolder::stem(const TradePoint& point, const SettingsSchema& schema) const {
@@ -67,8 +90,12 @@ fs::path TradeFolder::stem(const TradePoint& point, const SettingsSchema& schema
 fs::path TradeFolder::reference(const std::string& scene, TradeMotion motion, int bounces) const {
     std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
                                   options_.job.size.y, options_.reference_spp);
+    const SceneView& view = shown_last(scene, motion);
     if (motion == TradeMotion::figure) {
-        key += fmt::format(" {}", *last_view(motion, options_.job).time);
+        key += fmt::format(" {}", *view.time);
+    }
+    if (view.box) {
+        key += ' ' + text_of(*view.box);
     }
     for (const std::string& assignment : of_references(options_)) {
         key += ' ' + assignment;

@@ -44,7 +44,8 @@ std::string trade_csv(const std::vector<TradeResult>& results);
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
                         const TradeMeasure& measure, const TradeAxis& axis = trade_axes().front());
 
-// All scenes' charts under each other, by the first measure.
+// All scenes' charts under each other, by the first measure: against time and, beside it, GPU memory; of
+// several seeds the least and the largest error.
 std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context);
 
 // One page that needs nothing else: charts with pictures on hover, and a table to sort.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/trade/label_places.h"
@@ -12,18 +14,123 @@ namespace lanthorn::tools {
 
 namespace {
 
-constexpr double kWidth = 900, kHeight = 480;
-constexpr double kLeft = 64, kRight = 190, kTop = 40, kBottom = 52;
+// Where a chart's plot lies in it, pixels.
+struct Layout {
+    double width, height, left, right, top, bottom;
+    bool has_legend;  // at its right
+};
+constexpr Layout kAlone{900, 480, 64, 190, 40, 52, true};
+constexpr Layout kPanel{450, 290, 56, 14, 34, 46, false};  // of a page of many
 constexpr const char* kColours[] = {"#f28e2b", "#4e79a7", "#59a14f", "#b07aa1", "#e15759",
                                     "#76b7b2", "#9c755f", "#edc948", "#ff9da7", "#8c8c8c"};
+constexpr const char* kHollow = "<path class=\"stage\" d=\"M0-6L6 0L0 6L-6 0Z\"/>";
+
+bool is_preset(const TradePoint& point) {
+    return point.assignments.empty() || !point.stage.empty();
+}
+
+// What marks the presets of a technique.
+std::string preset_mark(const std::string& technique) {
+    struct Mark {
+        const char* path;
+        const char* colour;
+    };
+    // emc, then in the order in which techniques were made known.
+    static constexpr Mark kMarks[] = {{"M0-7L7 0L0 7L-7 0Z", "#111"},
+                                      {"M-6-6H6V6H-6Z", "#d62728"},
+                                      {"M0-7L6.7-2.2L4.1 5.7H-4.1L-6.7-2.2Z", "#1f77b4"},
+                                      {"M-7 0L-3.5-6H3.5L7 0L3.5 6H-3.5Z", "#2ca02c"},
+                                      {"M-2-7H2V-2H7V2H2V7H-2V2H-7V-2H-2Z", "#9467bd"}};
+    std::size_t index = 0;
+    for (const gi::TechniqueEntry& entry : gi::techniques()) {
+        if (entry.name == technique) {
+            break;
+        }
+        index += entry.has_presets ? 1 : 0;
+    }
+    const Mark& mark = kMarks[index % std::size(kMarks)];
+    return fmt::format("<path class=\"preset\" d=\"{}\" fill=\"{}\"/>", mark.path, mark.colour);
+}
+
+// How points are marked, the same in all charts of a page.
+class Marks {
+  public:
+    explicit Marks(const std::vector<TradeResult>& results) {
+        for (const TradeResult& r : results) {
+            if (r.measured() && r.point.technique != "none" && !is_preset(r.point)) {
+                const auto [knob, is_new] = knobs_.try_emplace(r.point.knob());
+                if (is_new) {
+                    knob->second.colour = kColours[(knobs_.size() - 1) % std::size(kColours)];
+                }
+                knob->second.values.insert(fmt::format("{}", fmt::join(r.point.assignments, ", ")));
+            }
+        }
+    }
+
+    std::string of(const TradePoint& point) const {
+        if (is_preset(point)) {
+            return point.stage.empty() ? preset_mark(point.technique) : kHollow;
+        }
+        const char* colour = knobs_.at(point.knob()).colour;
+        return point.technique == "path" ? fmt::format("<path d=\"M0-6L6 5H-6Z\" fill=\"{}\"/>", colour)
+                                         : fmt::format("<circle r=\"4.5\" fill=\"{}\"/>", colour);
+    }
+
+    struct Line {
+        std::string mark, text;
+    };
+    // What is said of these points: the front, techniques, the other final stage, knobs in their order.
+    std::vector<Line> legend(const std::vector<const TradeResult*>& shown) const {
+        std::vector<Line> lines = {{"<path class=\"front\" d=\"M-7 0H7\"/>", "Pareto front"}};
+        if (std::ranges::any_of(shown, [](const TradeResult* r) { return r->figures.seeds > 1; })) {
+            lines.push_back({"<path class=\"spread\" d=\"M-3-7H3M0-7V7M-3 7H3\"/>", "all seeds"});
+        }
+        for (const gi::TechniqueEntry& entry : gi::techniques()) {
+            if (entry.has_presets && std::ranges::any_of(shown, [&](const TradeResult* r) {
+                    return r->point.technique == entry.name;
+                })) {
+                lines.push_back({preset_mark(entry.name), entry.name + ", presets"});
+            }
+        }
+        std::set<std::string> said;
+        for (const TradeResult* r : shown) {
+            if (!r->point.stage.empty() && said.insert("stage").second) {
+                lines.push_back({kHollow, "emc, final stage " + r->point.stage});
+            }
+        }
+        for (const TradeResult* r : shown) {
+            if (!is_preset(r->point) && said.insert(r->point.knob()).second) {
+                const std::string text = words(r->point);
+                lines.push_back(
+                    {of(r->point), r->point.technique == "path" ? "path tracing: " + text : text});
+            }
+        }
+        return lines;
+    }
+
+  private:
+    struct Knob {
+        const char* colour = nullptr;
+        std::set<std::string> values;
+    };
+    // A knob with one value is that value.
+    std::string words(const TradePoint& point) const {
+        const std::set<std::string>& values = knobs_.at(point.knob()).values;
+        return point.name.empty() && values.size() == 1 ? *values.begin() : point.knob();
+    }
+
+    std::map<std::string, Knob> knobs_;
+};
 
 class Chart {
   public:
     Chart(const std::vector<TradeResult>& results, const std::string& scene, const TradeMeasure& measure,
-          const TradeAxis& axis)
+          const TradeAxis& axis, const Marks& marks, const Layout& layout)
         : results_(results),
           measure_(measure),
           axis_(axis),
+          marks_(marks),
+          layout_(layout),
           front_(pareto_front(results, measure.error, axis.cost)) {
         for (std::size_t i = 0; i < results.size(); ++i) {
             const TradeResult& r = results[i];
@@ -35,11 +142,15 @@ class Chart {
         std::ranges::sort(shown_, {}, [&](std::size_t i) { return cost(i); });
     }
 
-    std::string draw(const std::string& title) const {
+    std::string draw(const std::string& title, const std::string& axis_title) const {
         LogRange costs, errors;
         for (const std::size_t i : shown_) {
             costs.add(cost(i));
             errors.add(error(i));
+            if (has_spread(i)) {
+                errors.add(results_[i].figures.relrmse_least);
+                errors.add(results_[i].figures.relrmse_most);
+            }
         }
         for (const std::size_t i : none_) {
             errors.add(error(i));
@@ -47,56 +158,50 @@ class Chart {
         if (shown_.empty()) {
             return {};
         }
-        const LogAxis x = costs.axis(kLeft, kWidth - kRight), y = errors.axis(kHeight - kBottom, kTop);
-        return frame(title, x, y) + lines(x, y) + marks(x, y);
+        const LogAxis x = costs.axis(layout_.left, plot_right()), y = errors.axis(plot_bottom(), layout_.top);
+        return frame(title, axis_title, x, y) + lines(x, y) + (layout_.has_legend ? legend() : "") +
+               marks(x, y);
+    }
+
+    std::vector<const TradeResult*> shown() const {
+        std::vector<const TradeResult*> list;
+        std::ranges::transform(shown_, std::back_inserter(list), [&](std::size_t i) { return &results_[i]; });
+        return list;
     }
 
   private:
-    // What marks the presets of a technique.
-    static std::string preset_mark(const std::string& technique) {
-        struct Mark {
-            const char* path;
-            const char* colour;
-        };
-        // emc, then in the order in which techniques were made known.
-        static constexpr Mark kMarks[] = {{"M0-7L7 0L0 7L-7 0Z", "#111"},
-                                          {"M-6-6H6V6H-6Z", "#d62728"},
-                                          {"M0-7L6.7-2.2L4.1 5.7H-4.1L-6.7-2.2Z", "#1f77b4"},
-                                          {"M-7 0L-3.5-6H3.5L7 0L3.5 6H-3.5Z", "#2ca02c"},
-                                          {"M-2-7H2V-2H7V2H2V7H-2V2H-7V-2H-2Z", "#9467bd"}};
-        std::size_t index = 0;
-        for (const gi::TechniqueEntry& entry : gi::techniques()) {
-            if (entry.name == technique) {
-                break;
-            }
-            index += entry.has_presets ? 1 : 0;
-        }
-        const Mark& mark = kMarks[index % std::size(kMarks)];
-        return fmt::format("<path class=\"preset\" d=\"{}\" fill=\"{}\"/>", mark.path, mark.colour);
-    }
     double cost(std::size_t i) const { return results_[i].figures.*axis_.cost; }
     double error(std::size_t i) const { return results_[i].figures.*measure_.error; }
+    double plot_right() const { return layout_.width - layout_.right; }
+    double plot_bottom() const { return layout_.height - layout_.bottom; }
+    // Seeds have the first measure's.
+    bool has_spread(std::size_t i) const {
+        const TradeFigures& f = results_[i].figures;
+        return f.seeds > 1 && measure_.error == &TradeFigures::relrmse && f.relrmse_least > 0;
+    }
 
-    std::string frame(const std::string& title, const LogAxis& x, const LogAxis& y) const {
-        std::string svg =
-            fmt::format("<text x=\"{}\" y=\"24\" class=\"title\">{}</text>\n", kLeft, xml_text(title));
+    std::string frame(const std::string& title, const std::string& axis_title, const LogAxis& x,
+                      const LogAxis& y) const {
+        const double bottom = plot_bottom();
+        std::string svg = fmt::format("<text x=\"{}\" y=\"{}\" class=\"title\">{}</text>\n", layout_.left,
+                                      layout_.top - 16, xml_text(title));
         for (const double tick : x.ticks()) {
             svg += fmt::format(
                 "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
                 "text-anchor=\"middle\">{4:g}</text>\n",
-                x(tick), kTop, kHeight - kBottom, kHeight - kBottom + 16, tick);
+                x(tick), layout_.top, bottom, bottom + 16, tick);
         }
         for (const double tick : y.ticks()) {
             svg += fmt::format(
                 "<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" "
                 "text-anchor=\"end\">{5:g}</text>\n",
-                y(tick), kLeft, kWidth - kRight, kLeft - 6, y(tick) + 4, tick);
+                y(tick), layout_.left, plot_right(), layout_.left - 6, y(tick) + 4, tick);
         }
         svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                           0.5 * (kLeft + kWidth - kRight), kHeight - 14, axis_.about);
+                           0.5 * (layout_.left + plot_right()), bottom + 34, axis_title);
         svg +=
             fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                        0.5 * (kTop + kHeight - kBottom), measure_.name);
+                        0.5 * (layout_.top + bottom), measure_.name);
         return svg;
     }
 
@@ -106,7 +211,7 @@ class Chart {
             svg += fmt::format(
                 "<path class=\"none\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\">direct light "
                 "alone</text>\n",
-                kLeft, y(error(i)), kWidth - kRight, kLeft + 6, y(error(i)) - 5);
+                layout_.left, y(error(i)), plot_right(), layout_.left + 6, y(error(i)) - 5);
         }
         std::string path;
         for (const std::size_t i : shown_) {
@@ -114,11 +219,14 @@ class Chart {
                 path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x(cost(i)), y(error(i)));
             }
         }
+        for (const std::size_t i : shown_) {
+            if (has_spread(i)) {
+                const TradeFigures& f = results_[i].figures;
+                svg += fmt::format("<path class=\"spread\" d=\"M{0:.1f} {2:.1f}h6m-3 0V{1:.1f}m-3 0h6\"/>\n",
+                                   x(cost(i)) - 3, y(f.relrmse_most), y(f.relrmse_least));
+            }
+        }
         return svg + fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
-    }
-
-    static bool is_preset(const TradePoint& point) {
-        return point.assignments.empty() || !point.stage.empty();
     }
 
     // By point: where a preset's name stands.
@@ -135,7 +243,7 @@ class Chart {
             }
         }
         const std::vector<LabelPlace> places =
-            label_places(labels, taken, {{kLeft + 2, kTop}, {kWidth - kRight + 4, kHeight - kBottom}});
+            label_places(labels, taken, {{layout_.left + 2, layout_.top}, {plot_right() + 4, plot_bottom()}});
         std::map<std::size_t, LabelPlace> result;
         for (std::size_t i = 0; i < points.size(); ++i) {
             result[points[i]] = places[i];
@@ -143,45 +251,25 @@ class Chart {
         return result;
     }
 
+    std::string legend() const {
+        std::string svg;
+        double at = layout_.top + 8;
+        for (const Marks::Line& line : marks_.legend(shown())) {
+            svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n",
+                               plot_right() + 18, at, line.mark, xml_text(line.text));
+            at += 20;
+        }
+        return svg;
+    }
+
     std::string marks(const LogAxis& x, const LogAxis& y) const {
         std::string svg, presets;
-        std::map<std::string, const char*> colours;
-        double legend = kTop + 8;
-        const auto legend_line = [&](const std::string& mark, const std::string& text) {
-            svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n",
-                               kWidth - kRight + 18, legend, mark, xml_text(text));
-            legend += 20;
-        };
-        legend_line("<path class=\"front\" d=\"M-7 0H7\"/>", "Pareto front");
-        for (const gi::TechniqueEntry& entry : gi::techniques()) {
-            if (entry.has_presets && std::ranges::any_of(shown_, [&](std::size_t i) {
-                    return results_[i].point.technique == entry.name;
-                })) {
-                legend_line(preset_mark(entry.name), entry.name + ", presets");
-            }
-        }
-        constexpr const char* kHollow = "<path class=\"stage\" d=\"M0-6L6 0L0 6L-6 0Z\"/>";
-        const auto other =
-            std::ranges::find_if(shown_, [&](std::size_t i) { return !results_[i].point.stage.empty(); });
-        if (other != shown_.end()) {
-            legend_line(kHollow, "emc, final stage " + results_[*other].point.stage);
-        }
         const std::map<std::size_t, LabelPlace> places = names(x, y);
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
-            const std::string knob = point.knob();
-            std::string mark = point.stage.empty() ? preset_mark(point.technique) : kHollow;
+            std::string mark = marks_.of(point);
             const bool preset = is_preset(point);
-            if (!preset) {
-                const auto [colour, is_new] =
-                    colours.try_emplace(knob, kColours[colours.size() % std::size(kColours)]);
-                mark = point.technique == "path"
-                           ? fmt::format("<path d=\"M0-6L6 5H-6Z\" fill=\"{}\"/>", colour->second)
-                           : fmt::format("<circle r=\"4.5\" fill=\"{}\"/>", colour->second);
-                if (is_new) {
-                    legend_line(mark, point.technique == "path" ? "path tracing: " + knob : knob);
-                }
-            } else {
+            if (preset) {
                 const LabelPlace& place = places.at(i);
                 mark += fmt::format("<text class=\"name\" x=\"{:g}\" y=\"{:g}\"{}>{}</text>", place.from.x,
                                     place.from.y, place.before ? " text-anchor=\"end\"" : "",
@@ -200,6 +288,8 @@ class Chart {
     const std::vector<TradeResult>& results_;
     const TradeMeasure& measure_;
     const TradeAxis& axis_;
+    const Marks& marks_;
+    const Layout& layout_;
     std::vector<bool> front_;
     std::vector<std::size_t> shown_, none_;  // by cost
 };
@@ -209,12 +299,31 @@ std::string scene_name(const std::vector<TradeResult>& results, const std::strin
     return std::ranges::find_if(results, same)->point.scene_name();
 }
 
+// In as many rows as the page's width makes necessary; moves `top` below them.
+std::string legend_in_rows(const std::vector<Marks::Line>& lines, double width, double& top) {
+    constexpr double kCharacter = 7, kMark = 40, kRow = 20;
+    std::string svg;
+    double at = kPanel.left;
+    for (const Marks::Line& line : lines) {
+        const double takes = kMark + kCharacter * static_cast<double>(line.text.size());
+        if (at + takes > width && at > kPanel.left) {
+            at = kPanel.left;
+            top += kRow;
+        }
+        svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n", at,
+                           top, line.mark, xml_text(line.text));
+        at += takes;
+    }
+    top += kRow + 6;
+    return svg;
+}
+
 constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#333}.title{font-weight:bold;font-size:15px}"
     ".grid{stroke:#e4e4e4;fill:none}.front{stroke:#222;stroke-width:1.5;fill:none}"
     ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{stroke:#fff}"
-    ".stage{fill:#fff;stroke:#111;stroke-width:2}"
-    ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
+    ".stage{fill:#fff;stroke:#111;stroke-width:2}.spread{stroke:#777;fill:none}"
+    ".name{font-weight:bold}.foot{font-size:11px}.point{cursor:pointer}</style>\n";
 
 }  // namespace
 
@@ -249,35 +358,50 @@ std::vector<std::string> scenes_of(const std::vector<TradeResult>& results) {
 
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
                         const TradeMeasure& measure, const TradeAxis& axis) {
+    const Marks marks(results);
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\">\n{}{}</svg>\n", kWidth,
-        kHeight, kWidth, kStyle,
-        Chart(results, scene, measure, axis)
-            .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\">\n{}{}</svg>\n",
+        kAlone.width, kAlone.height, kAlone.width, kStyle,
+        Chart(results, scene, measure, axis, marks, kAlone)
+            .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about),
+                  axis.about));
 }
 
 std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context) {
-    constexpr double kFoot = 80;
+    constexpr double kLine = 17;
     const TradeMeasure& measure = trade_measures().front();
-    const std::vector<std::string> scenes = scenes_of(results);
-    const double height = kHeight * static_cast<double>(scenes.size()) + kFoot;
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n{2}"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-        kWidth, height, kStyle);
+    const Marks marks(results);
+    const double width = 2 * kPanel.width;
+    std::string panels;
+    std::vector<const TradeResult*> shown;
     double top = 0;
-    for (const std::string& scene : scenes) {
-        svg += fmt::format(
-            "<g transform=\"translate(0 {})\">\n{}</g>\n", top,
-            Chart(results, scene, measure, trade_axes().front())
-                .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
-        top += kHeight;
+    for (const std::string& scene : scenes_of(results)) {
+        for (std::size_t a = 0; a < 2; ++a) {
+            const TradeAxis& axis = trade_axes()[a];
+            const Chart chart(results, scene, measure, axis, marks, kPanel);
+            panels += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
+                                  kPanel.width * static_cast<double>(a), top,
+                                  chart.draw(a == 0 ? scene_name(results, scene) : "", axis.name));
+            std::ranges::copy(chart.shown(), std::back_inserter(shown));
+        }
+        top += kPanel.height;
     }
+    top += 14;
+    std::string foot = legend_in_rows(marks.legend(shown), width, top);
     for (const std::string& line :
-         {context.method, context.reference, context.machine + "; " + context.renderer, context.build}) {
-        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", kLeft, top += 17, xml_text(line));
+         {fmt::format("{}: {}", measure.name, measure.about),
+          fmt::format("{}: {}; {}: {}", trade_axes()[0].name, trade_axes()[0].about, trade_axes()[1].name,
+                      trade_axes()[1].about),
+          context.method, context.reference, context.machine + "; " + context.renderer, context.build}) {
+        foot += fmt::format("<text x=\"{}\" y=\"{}\" class=\"foot\">{}</text>\n", kPanel.left, top,
+                            xml_text(line));
+        top += kLine;
     }
-    return svg + "</svg>\n";
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+               "height=\"{1}\">\n{2}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
+               width, top, kStyle) +
+           panels + foot + "</svg>\n";
 }
 
 }  // namespace lanthorn::tools

@@ -2,14 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <vector>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/load_scene.h"
+#include "tools/workbench/load/comma_numbers.h"
 
 namespace lanthorn::workbench {
 
@@ -22,28 +22,11 @@ namespace {
 }  // namespace
 
 CameraPose pose_of(const std::string& text) {
-    std::array<double, 6> numbers{0, 0, 0, 0, 0, CameraPose().fov};
-    std::size_t count = 0;
-    const char* at = text.data();
-    const char* end = at + text.size();
-    while (true) {
-        if (count == numbers.size()) {
-            refuse(text, "X,Y,Z,YAW,PITCH or X,Y,Z,YAW,PITCH,FOV");
-        }
-        const auto [rest, problem] = std::from_chars(at, end, numbers[count]);
-        if (problem != std::errc() || !std::isfinite(numbers[count])) {
-            refuse(text, "X,Y,Z,YAW,PITCH or X,Y,Z,YAW,PITCH,FOV");
-        }
-        ++count;
-        if (rest == end) {
-            break;
-        }
-        if (*rest != ',') {
-            refuse(text, "commas between numbers: X,Y,Z,YAW,PITCH or X,Y,Z,YAW,PITCH,FOV");
-        }
-        at = rest + 1;
+    std::vector<double> numbers = comma_numbers(text).value_or(std::vector<double>());
+    if (numbers.size() == 5) {
+        numbers.push_back(CameraPose().fov);
     }
-    if (count < 5) {
+    if (numbers.size() != 6) {
         refuse(text, "X,Y,Z,YAW,PITCH or X,Y,Z,YAW,PITCH,FOV");
     }
     if (std::abs(numbers[4]) > 90) {

@@ -43,6 +43,9 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
             notes.push_back(std::move(*note));
         }
     }
+    if (view.box) {
+        place_box(scene, *view.box);
+    }
     App app;
     add_scene_plugins(app);
     if (view.declare) {

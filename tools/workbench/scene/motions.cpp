@@ -28,8 +28,6 @@ constexpr float kLampRadius = 0.05f;   // metres that a punctual light keeps cle
 constexpr float kCameraRadius = 0.1f;  // and a camera
 constexpr float kBoxShare = 0.12f;     // of the diagonal: the box's largest side
 constexpr float kBoxMargin = 0.02f;    // between the box and what is round it
-constexpr float kBoxGrey = 0.7f;       // its reflectance
-const char* const kBoxName = "measured-box";
 
 // A thing that wants room to move: a ball, render space.
 struct Ball {
@@ -183,7 +181,7 @@ MovingScene::MovingScene(const SceneData& scene, const SceneChoice& choice, Moti
             break;
         case Motion::box:
         case Motion::box_rest:
-            place_box(scene, choice);
+            prepare_box(scene, choice);
             break;
         default:
             break;
@@ -235,7 +233,7 @@ void MovingScene::prepare_walk() {
     }
 }
 
-void MovingScene::place_box(const SceneData& scene, const SceneChoice& choice) {
+void MovingScene::prepare_box(const SceneData& scene, const SceneChoice& choice) {
     const FrameScene& frame = shown_->frame();
     const Room room(frame);
     const reference::CameraRay middle = reference::CameraRays(camera_, ivec2(2)).ray(1, 1);
@@ -267,10 +265,11 @@ void MovingScene::place_box(const SceneData& scene, const SceneChoice& choice) {
     }
     box_.add(best - 0.5f * side);
     box_.add(best + 0.5f * side);
-    const dvec3 origin = frame.origin, place = origin + dvec3(best);
+    const dvec3 origin = frame.origin;
+    placed_ = PlacedBox{origin + dvec3(best), side};
 
     SceneData with_box = scene;
-    place_grey_box(with_box, kBoxName, place, side, kBoxGrey);
+    place_box(with_box, *placed_);
     shown_ = std::make_unique<ShownScene>(std::move(with_box), choice);  // `frame` is gone
     shown_->show_at(time_);
     shown_->hold();

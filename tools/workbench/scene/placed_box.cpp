@@ -1,8 +1,14 @@
 #include "tools/workbench/scene/placed_box.h"
 
+#include <string>
+
+#include "lanthorn/workbench/motions.h"
+
 namespace lanthorn::workbench {
 
 namespace {
+
+constexpr float kGrey = 0.7f;  // reflectance
 
 std::uint32_t add_matte(SceneData& scene, const std::string& name, float reflectance) {
     Material material;
@@ -41,15 +47,14 @@ Mesh cube(float side) {
 
 }  // namespace
 
-void place_grey_box(SceneData& scene, const std::string& name, const dvec3& centre, float side,
-                    float reflectance) {
-    Mesh mesh = cube(side);
-    mesh.name = name;
-    mesh.material = add_matte(scene, name, reflectance);
+void place_box(SceneData& scene, const PlacedBox& box) {
+    Mesh mesh = cube(static_cast<float>(box.side));
+    mesh.name = kBoxName;
+    mesh.material = add_matte(scene, kBoxName, kGrey);
     scene.meshes.push_back(std::move(mesh));
     NodeData node;
-    node.name = name;
-    node.local.translation = centre;
+    node.name = kBoxName;
+    node.local.translation = box.centre;
     node.meshes = {static_cast<std::uint32_t>(scene.meshes.size() - 1)};
     scene.nodes.push_back(std::move(node));
 }

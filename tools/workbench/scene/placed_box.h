@@ -1,15 +1,9 @@
-// A box put into a scene.
+// A box put into a scene: place_box() of motions.h.
 #pragma once
-
-#include <string>
-
-#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::workbench {
 
-// Adds a node of that name with an upright cube about `centre`, `side` metres long: matte, Lambertian, of
-// that reflectance.
-void place_grey_box(SceneData& scene, const std::string& name, const dvec3& centre, float side,
-                    float reflectance);
+// Of the node that holds it.
+inline constexpr const char* kBoxName = "measured-box";
 
 }  // namespace lanthorn::workbench

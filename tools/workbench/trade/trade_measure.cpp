@@ -111,17 +111,27 @@ double most_resident_mb() {
     return 0;
 }
 
+MovingScene moving_scene(const ListedScene& listed, TradeMotion motion, const TradeMeasurement& job) {
+    return {load_scene(listed.file, listed.view), listed.view,
+            motion == TradeMotion::light ? Motion::rest : motion_named(name_of(motion)),
+            job.warmup + job.frames - 1};
+}
+
+// Why `moving` has no such motion, and what would; empty: it has.
+std::string lacking_for(const MovingScene& moving, TradeMotion motion) {
+    return moving.lacking().empty()
+               ? std::string()
+               : fmt::format("{}, expected some for --motion {}", moving.lacking(), name_of(motion));
+}
+
 TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
     std::unique_ptr<gpu::Context> context;  // before what draws in it
     const ListedScene listed = listed_scene(point.scene, job.view);
     const int count = job.warmup + job.frames;
     const bool light_alone = point.motion == TradeMotion::light;
-    MovingScene moving(load_scene(listed.file, listed.view), listed.view,
-                       light_alone ? Motion::rest : motion_named(name_of(point.motion)), count - 1);
-    if (!moving.lacking().empty()) {
-        throw InputError(
-            listed.file, "",
-            fmt::format("{}, expected some for --motion {}", moving.lacking(), name_of(point.motion)));
+    MovingScene moving = moving_scene(listed, point.motion, job);
+    if (const std::string lacking = lacking_for(moving, point.motion); !lacking.empty()) {
+        throw InputError(listed.file, "", lacking);
     }
     App& app = moving.shown().app();
     ecs::World& world = app.world();
@@ -157,12 +167,11 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
 TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settings settings) {
     settings.set<int>("gi.seed", settings.get<int>("gi.seed") + kAfterPathSeed);
     const ListedScene listed = listed_scene(point.scene, job.view);
-    const SceneData scene = load_scene(listed.file, listed.view);
     const auto ignore = [](double) {};
     RenderJob render;
     render.size = job.size;
-    render.view = listed.view;
-    render.view.time = last_view(point.motion, job).time;
+    render.view = last_view(listed, point.motion, job).view;
+    const SceneData scene = load_scene(listed.file, render.view);
     render.aovs = {render::Aov::indirect};
     const double cpu_start = processor_ms();
     RenderOutcome timed = path_trace_scene(scene, settings, render, "", ignore);
@@ -216,11 +225,19 @@ ImageF scaled(const ImageF& image, int width) {
 
 }  // namespace
 
-SceneView last_view(TradeMotion motion, const TradeMeasurement& job) {
-    SceneView view = job.view;
-    const int steps = motion == TradeMotion::figure ? job.warmup + job.frames - 1 : 0;
-    view.time = view.time.value_or(0) + kFigureStep * steps;
-    return view;
+LastView last_view(const ListedScene& scene, TradeMotion motion, const TradeMeasurement& job) {
+    LastView last{scene.view, {}};
+    last.view.time = scene.view.time.value_or(0);
+    if (motion == TradeMotion::light) {
+        return last;
+    }
+    const MovingScene moving = moving_scene(scene, motion, job);
+    last.lacking = lacking_for(moving, motion);
+    last.view.box = moving.placed_box();
+    if (motion == TradeMotion::figure) {
+        *last.view.time += kFigureStep * (job.warmup + job.frames - 1);
+    }
+    return last;
 }
 
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema) {
@@ -260,7 +277,7 @@ ImageF picture_of(const TradeView& view, const std::string& reference, int width
         workbench::heat_map(workbench::relative_error(view.indirect, truth, mean), truth.width, truth.height);
     const ImageF left = scaled(view.final, width), right = scaled(error, width);
     ImageF both{left.width + right.width, left.height, 3, {}, {}};
-    const auto row = 3 * static_cast<std::ptrdiff_t>(left.width);
+    const std::ptrdiff_t row = std::ptrdiff_t{3} * left.width;
     for (int y = 0; y < left.height; ++y) {
         for (const ImageF* half : {&left, &right}) {
             const auto start = half->pixels.begin() + y * row;

@@ -163,11 +163,11 @@ std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& s
                 TradePoint point = start;
                 point.preset = preset;
                 add(point);
-                if (technique == "emc") {
+                if (technique == "emc" && !sweep.own_stage) {
                     add(other_final_stage(point, schema));
                 }
             }
-            if (technique == "emc" && !sweep.presets.empty()) {
+            if (technique == "emc" && !sweep.presets.empty() && !sweep.own_stage) {
                 add(papers_own_way(start));
             }
         } else if (technique == "none") {

@@ -1,11 +1,13 @@
 // The scene of a file, with the environment and the default light that a command adds to it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lanthorn/core/math.h"
 #include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/scene_data.h"
+#include "lanthorn/workbench/motions.h"
 
 namespace lanthorn::workbench {
 
@@ -16,6 +18,7 @@ struct SceneView : SceneChoice {
     float environment_intensity = 1;  // nits of 1 in that file
     std::string variant;              // of the file's KHR_materials_variants, the one to show
     bool allow_outside = false;       // let the file name buffers and images outside of its own folder
+    std::optional<PlacedBox> box;     // that the scene gets, after its default light
 };
 
 // Where somebody looks from who is no camera of the file.
@@ -39,6 +42,11 @@ CameraPose pose_of(const dmat4& world, const Camera& camera);
 // Puts a camera there, behind all nodes, and returns what SceneChoice::camera calls it. After
 // add_default_light(): a lent light stays where it is, whoever looks.
 std::string add_pose_camera(SceneData& scene, const CameraPose& pose);
+
+// A box as `render --box` takes it, "X,Y,Z,SIDE", and back, as for poses. Throws InputError for another
+// count, what is no number and a side that is not more than 0.
+PlacedBox box_of(const std::string& text);
+std::string text_of(const PlacedBox& box);  // as box_of() takes it
 
 // A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
 struct ListedScene {

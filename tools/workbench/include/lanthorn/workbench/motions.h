@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,6 +45,14 @@ inline constexpr double kBoxStep = 0.03;         // metres
 inline constexpr double kFigureStep = 1.0 / 60;  // seconds
 inline constexpr float kBoxSide = 0.3f;          // metres; less in small scenes
 
+// An upright grey cube that a measurement puts into a scene: matte, Lambertian.
+struct PlacedBox {
+    dvec3 centre{0};  // metres, the scene's own
+    double side = 0;  // metres, more than 0
+};
+// Adds it as a node.
+void place_box(SceneData& scene, const PlacedBox& box);
+
 // A straight way that ends where it began: from there to `reach` metres away and back, again and again. As
 // long as what is travelled is shorter than `reach`, the way is straight to its end.
 struct Swing {
@@ -72,13 +81,15 @@ class MovingScene {
     // Metres that what moves comes from; 0 for turns and what does not move from its place.
     double reach() const { return swing_.reach; }
     const Aabb& box() const { return box_; }  // of motions with a box, in the end; render space
+    // The same, as place_box() puts it into a copy of the scene, which then shows what the last frame does.
+    const std::optional<PlacedBox>& placed_box() const { return placed_; }
 
   private:
     void prepare_lamp();
     void prepare_dim();
     void prepare_walk();
     // Of a scene without the box that `shown_` shows.
-    void place_box(const SceneData& scene, const SceneChoice& choice);
+    void prepare_box(const SceneData& scene, const SceneChoice& choice);
     void look(int left);
 
     Motion motion_;
@@ -89,6 +100,7 @@ class MovingScene {
     CameraView camera_;
     Swing swing_;
     Aabb box_;
+    std::optional<PlacedBox> placed_;
     std::unique_ptr<MovedNodes> moved_;
     std::unique_ptr<DimmedLights> dimmed_;
 };

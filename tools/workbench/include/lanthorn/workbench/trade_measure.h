@@ -25,7 +25,12 @@ struct TradeMeasurement {
 };
 
 // What the last frame shows, which is compared.
-SceneView last_view(TradeMotion motion, const TradeMeasurement& job);
+struct LastView {
+    SceneView view;
+    std::string lacking;  // why the scene has no such motion, in words for an error; empty: it has
+};
+// Looks for room where the motion needs some. Throws as load_scene().
+LastView last_view(const ListedScene& scene, TradeMotion motion, const TradeMeasurement& job);
 
 // What a technique showed and how long it took; the errors are not known yet.
 struct TradeView {

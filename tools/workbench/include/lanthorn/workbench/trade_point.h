@@ -16,10 +16,12 @@ enum class TradeMotion {
     light,   // light alone
     lamp,    // Motion::lamp: lamps move, meshes that shine too
     walk,    // Motion::walk: the camera alone
+    box,     // Motion::box: a box that is put into the scene moves
     figure,  // Motion::figure: the scene's animation plays
 };
 // As --motion has them.
-inline constexpr std::array<std::string_view, 4> kTradeMotionNames = {"light", "lamp", "walk", "figure"};
+inline constexpr std::array<std::string_view, 5> kTradeMotionNames = {"light", "lamp", "walk", "box",
+                                                                      "figure"};
 // As `--motion` takes it, and files say it.
 std::string name_of(TradeMotion motion);
 // Throws InputError, which lists the names, for another.
@@ -106,6 +108,7 @@ struct Sweep {
     std::string around = "medium";    // the preset that knobs are turned from
     std::vector<Knob> knobs;          // empty: what the technique's entry says
     bool presets_only = false;        // turn no knobs
+    bool own_stage = false;           // of emc's presets no other_final_stage() and no papers_own_way()
     bool product = false;             // all combinations of the knobs instead of one at a time
     std::vector<std::string> common;  // settings of every point
 };
