@@ -147,6 +147,11 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
                            {settings.air_scattering, settings.air_steps, scene.diagonal()},
                            composite.radiance_framebuffer());
     }
+    if (!shared_->glows_.glows.empty()) {
+        const gpu::PassTimer::Scope glow(timer, "glow");
+        shared_->glow_pass_.draw(shared_->glows_.glows, camera(scene), scene.origin,
+                                 composite.radiance_framebuffer(), size());
+    }
     RenderSettings shown = settings;
     shown.antialias = settings.antialias || upscales();
     composite.display(shown, cut_, &timer);

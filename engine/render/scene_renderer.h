@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/blend.h"
+#include "engine/render/glow_pass.h"
 #include "engine/render/line_pass.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/emissive.h"
@@ -28,6 +29,8 @@ class SceneRenderer {
                          gpu::PassTimer& timer);
     // Whether the next update() lists what moved (GpuScene::movers()).
     void keep_before(bool keep) { gpu_scene_.keep_before(keep); }
+    // What each view shows from its next FrameRenderer::compose() on, timed as `glow` within `composite`.
+    void show(const Glows& glows) { glows_ = glows; }
     int light_map_sets() const { return static_cast<int>(sets_.size()); }
 
   private:
@@ -47,6 +50,8 @@ class SceneRenderer {
     SkyTexture sky_;
     BlendPass blend_;
     std::unique_ptr<LinePass> lines_;  // null before there are any
+    Glows glows_;
+    GlowPass glow_pass_;
     std::vector<Set> sets_;
     std::uint64_t sets_made_ = 0;
 };

@@ -93,7 +93,8 @@ void draw_direct(Res<render::TracedLobes> traced, Res<Renderer> renderer) {
     });
 }
 
-void compose(Res<render::IndirectLight> indirect, Res<Renderer> renderer) {
+void compose(Res<render::IndirectLight> indirect, Res<render::Glows> glows, Res<Renderer> renderer) {
+    renderer->shared->show(*glows);
     for_each_view(*renderer, [&](DrawnView& view) {
         view.frame->compose(*view.scene, view.id == ViewId::first ? *indirect : view.indirect,
                             *renderer->timer);
@@ -133,6 +134,9 @@ void RenderPlugin::build(App& app) {
     world.insert_resource(render::IndirectLight());
     world.insert_resource(render::TracedLobes());
     world.insert_resource(render::Lines());
+    if (world.try_resource<render::Glows>() == nullptr) {
+        world.insert_resource(render::Glows());
+    }
     if (world.try_resource<render::RenderSettings>() == nullptr) {
         world.insert_resource(render::RenderSettings());
     }

@@ -37,7 +37,8 @@ constexpr std::array kSwitches = {Switch{"fullscreen", &Preferences::fullscreen}
                                   Switch{"hold_by_press", &Preferences::hold_by_press},
                                   Switch{"captions", &Preferences::captions},
                                   Switch{"symbols", &Preferences::symbols},
-                                  Switch{"less_motion", &Preferences::less_motion}};
+                                  Switch{"less_motion", &Preferences::less_motion},
+                                  Switch{"flicker", &Preferences::flicker}};
 constexpr double kLongestFrame = 1000;  // milliseconds
 constexpr int kLeastPixels = 16, kMostPixels = 8192;
 

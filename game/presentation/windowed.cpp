@@ -18,6 +18,7 @@
 #include "game/presentation/quality.h"
 #include "game/presentation/sound/game_sound.h"
 #include "game/rules/actions.h"
+#include "game/rules/flames.h"
 #include "game/screens/interface.h"
 #include "game/screens/screen_model.h"
 #include "lanthorn/assets/image_io.h"
@@ -281,6 +282,7 @@ void GameWindow::show_level(Playthrough& level) {
         look_with_eyes(level.shown());
     }
     follow_time(level);
+    level.app().world().resource_mut<Flicker>() = {settings_.preferences().flicker, title_seconds_};
     const bool moves = !lit_easily_ && (is_running(screens.at) || title_seconds_ > 0);
     still_frames_ = moves || window_.picture_size() != still_size_ ? 0 : still_frames_ + 1;
     still_size_ = window_.picture_size();

@@ -4,6 +4,7 @@
 
 #include "game/rules/cloth.h"
 #include "game/rules/figures.h"
+#include "game/rules/flames.h"
 #include "lanthorn/core/turns.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/ecs/registry.h"
@@ -152,6 +153,7 @@ void declare_components(ecs::Registry& registry) {
     declare_crystal(registry);
     declare_figures(registry);
     declare_cloth(registry);
+    declare_flames(registry);
     declare_level_info(registry);
 }
 

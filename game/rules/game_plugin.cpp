@@ -10,6 +10,8 @@ void GamePlugin::build(App& app) {
     declare_components(app.registry());
     app.world().insert_resource(PlayerInput());
     app.world().insert_resource(Intent());
+    app.world().insert_resource(Flicker());
+    app.world().insert_resource(render::Glows());
 
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("take_input", take_input).in("gameplay");
@@ -32,6 +34,8 @@ void GamePlugin::build(App& app) {
     fixed.add("reach_goals", reach_goals).after("sensors.read").in("gameplay");
     fixed.add("wake_crystals", wake_crystals).after("sensors.read").after("carry_lanterns").in("gameplay");
     fixed.add("show_glow", show_glow).after("wake_crystals").in("gameplay");
+
+    app.frame_schedule().add("show_flames", show_flames).after("transforms");
 }
 
 }  // namespace lanthorn::game

@@ -6,12 +6,14 @@
 #include "game/rules/cloth.h"
 #include "game/rules/components.h"
 #include "game/rules/figures.h"
+#include "game/rules/flames.h"
 #include "game/rules/place_now.h"
 #include "game/rules/player_input.h"
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/system.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/physics/physics.h"
+#include "lanthorn/runtime/time.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 
@@ -69,6 +71,9 @@ void shove_bodies(Res<Intent> intent, Res<SharedPhysics> physics,
 void turn_tables(Res<Intent> intent, Res<SharedPhysics> physics, Res<PlayerInput> input,
                  Query<Mut<Turntable>, Mut<LocalTransform>, Read<WorldTransform>> tables);
 void wake_crystals(Query<Read<LightSensor>, Mut<Crystal>> crystals, Commands& commands);
+// What is seen of flames, at the moment that a frame shows.
+void show_flames(Query<Read<Flame>, Read<LightComponent>, Read<WorldTransform>> flames, Res<Time> time,
+                 Res<Flicker> flicker, ResMut<render::Glows> shown);
 // Makes the crystals' materials glow as much as they do. Alone: it edits assets.
 void show_glow(ecs::World& world);
 // The hero faces where she walks, and where she looks as soon as she handles something or looks far aside.

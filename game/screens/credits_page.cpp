@@ -36,13 +36,23 @@ constexpr std::array kLibraries = {Credit{"Bullet Physics", "zlib"},
 constexpr std::array kFonts = {Credit{"Cabin, by Pablo Impallari and others", "OFL-1.1"},
                                Credit{"Quattrocento, by Pablo Impallari", "OFL-1.1"}};
 
-// One after the other, so that they are seen without a key that scrolls.
-void list(const auto& credits) {
-    std::string all;
+// A line each, which keys go through as through entries, so that they scroll; the licence at the right, or on
+// a line of its own where both do not fit.
+void list(const Model& model, const auto& credits) {
+    const auto& page = model.page;
     for (const Credit& credit : credits) {
-        all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", credit.what, credit.licence);
+        const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
+        const float left = ImGui::CalcTextSize(credit.what).x, right = ImGui::CalcTextSize(credit.licence).x;
+        const bool fits = left + right + line < width;
+        ImGui::InvisibleButton(credit.what, {width, fits ? line : 2 * line});
+        const bool chosen = lanthorn::ui::is_chosen(page);
+        const ImVec2 low = ImGui::GetItemRectMin();
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const auto colour = lanthorn::ui::packed(chosen ? page.theme->chosen : page.theme->words);
+        draw.AddText(low, colour, credit.what);
+        draw.AddText({low.x + width - right, fits ? low.y : low.y + line},
+                     lanthorn::ui::packed(page.theme->faint), credit.licence);
     }
-    ImGui::TextWrapped("%s", all.c_str());
 }
 
 }  // namespace
@@ -57,11 +67,11 @@ std::optional<Event> draw_credits(const Model& model) {
     }
     section(model.page, model.say("The game").c_str());
     constexpr std::array kGame = {Credit{"lamplighter, Lanthorn", "MIT"}};
-    list(kGame);
+    list(model, kGame);
     section(model.page, model.say("Fonts").c_str());
-    list(kFonts);
+    list(model, kFonts);
     section(model.page, model.say("Libraries").c_str());
-    list(kLibraries);
+    list(model, kLibraries);
     end_column(model.page);
     return wants_back(model.page) ? Event{Happening::back} : event;
 }

@@ -140,6 +140,7 @@ void draw_comfort(const Model& model, const Rows& rows, Preferences& preferences
     rows.flag("Captions of sounds", preferences.captions);
     rows.flag("Symbols on colours", preferences.symbols);
     rows.flag("Less motion", preferences.less_motion);
+    rows.flag("Flickering flames", preferences.flicker);
 }
 
 }  // namespace

@@ -282,13 +282,7 @@ void add_lamp_bearer(Builder& b, const std::string& name, const dvec3& feet, con
     tip.scale = vec3(1.5f);
     const std::uint32_t hook = b.node(name + ".hook", tip, grip);
     b.scene.nodes[hook].meshes = {meshes.lantern};
-    Light flame;
-    flame.type = LightType::point;
-    flame.colour = colour;
-    flame.intensity = candela;
-    const dvec3 light(0, -0.18, 0);
-    b.light(name + "-flame", at(light), flame, hook);
-    add_flame(b, name + ".fire", light, 0.075, hook);
+    add_flame(b, name + "-flame", {0, -0.18, 0}, colour, candela, 0.1, hook);
 }
 
 }  // namespace lanthorn::scene_generator

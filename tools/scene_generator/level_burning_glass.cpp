@@ -5,6 +5,7 @@
 
 #include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/lathe.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/plants.h"
 #include "tools/scene_generator/scenes.h"
@@ -105,7 +106,7 @@ void lens_on_rail(Builder& b, const Finishes& f) {
 }
 
 void furniture(Builder& b, const Finishes& f) {
-    b.solid("shelf", whole(shelf_parts({1.3, 2.0, 0.35}, 5)), f.oak, kBoxCollider, at({-2.6, 0, -2.96}));
+    add_bookshelf(b, f, "shelf", {-2.6, 0, -2.96}, {1.3, 2.0, 0.35}, 5, 16);
     b.table("table", {0.6, 0, 2.3}, 1.4, 0.7, 0.78, f.oak, kBoxCollider);
     const std::uint32_t leather = b.matte("leather", {0.2f, 0.06f, 0.03f}, 0.5f);
     b.solid(
@@ -135,6 +136,7 @@ SceneData level_burning_glass() {
     add_sconce(b, f, "sconce", {2.6, 2.0, kHalf.z}, {0, 0, -1}, 30);
     add_contract(b, "floor-is-lit", {0, 0.3, 0}, {7.4, 0.65, 5.8}, R"("lower":0.3,"share":0.7)");
     add_contract(b, "topaz-is-dark", kTopaz, {0.2, 0.9, 0.9}, R"("upper":12)");
+    b.camera("camera", looking({1.0, 1.75, 1.5}, {-2.7, 1.2, -0.3}), glm::radians(64.0f));
     add_player(b, {1.35, 0, 0.0}, {-3.8, 1.3, -0.7});
     add_level(b, R"("title":"The burning glass",
         "hints":["The lamp lights the mirror already. So wide a light is too thin for the topaz.",
@@ -147,7 +149,6 @@ SceneData level_burning_glass() {
                 {"go":[0.7,0,-0.15],"look":[1.6,1.3,-1.75],"seconds":2.5},
                 {"go":[0.7,0,-0.15],"look":[1.6,1.3,-1.75],"seconds":1.8,"deed":"use","hold":true},
                 {"go":[0.4,0,0.3],"look":[-3.8,1.4,1.6],"seconds":4}])");
-    b.camera("camera", looking({1.0, 1.75, 1.5}, {-2.7, 1.2, -0.3}), glm::radians(64.0f));
     b.camera("topaz-view", looking({1.4, 1.6, 1.6}, {-3.4, 1.3, 0.2}), glm::radians(60.0f));
     return b.scene;
 }

@@ -112,6 +112,10 @@ std::uint32_t painted_plaster(Builder& b, const std::string& name, const vec3& m
     return material;
 }
 
+std::uint32_t painted_stone(Builder& b, const std::string& name, const vec3& mean) {
+    return blocks(b, name, mean, 4, 2, 1.6, 0.03, 0.012);
+}
+
 Finishes finishes(Builder& b, const vec3& stone) {
     Finishes made{};
     made.ashlar = blocks(b, "ashlar", stone, 4, 2, 1.6, 0.035, 0.012);

@@ -23,6 +23,8 @@ struct Finishes {
 };
 // Uneven lime plaster of another colour, `mean` its linear reflectance.
 std::uint32_t painted_plaster(Builder& b, const std::string& name, const vec3& mean);
+// The blocks of ashlar under a coat of paint.
+std::uint32_t painted_stone(Builder& b, const std::string& name, const vec3& mean);
 
 // `stone`: linear reflectance of the blocks, about its mean.
 Finishes finishes(Builder& b, const vec3& stone = {0.4f, 0.36f, 0.31f});

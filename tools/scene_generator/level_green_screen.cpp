@@ -1,4 +1,5 @@
 #include "tools/scene_generator/furniture.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -73,7 +74,10 @@ SceneData level_green_screen() {
                 R"("lux":0.2,"seconds":1.5,"symbol":"triangle","glow":[0.15,2,0.25])");
     b.table("table", {-2.0, 0, -2.3}, 1.1, 0.65, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-2.1, 0, -1.55}));
-    b.solid("shelf", whole(shelf_parts({1.0, 1.8, 0.35}, 4)), f.oak, kBoxCollider, at({-0.1, 0, -2.86}));
+    add_bookshelf(b, f, "shelf", {-0.1, 0, -2.86}, {1.0, 1.8, 0.35}, 4, 11);
+    add_still_life(b, "still-life", {-2.25, 0.78, -2.35});
+    add_carpet(b, "carpet", {-2.9, 0, -0.5}, {-0.9, 0.012, 0.9}, kBlueCarpet);
+    b.camera("camera", looking({2.9, 1.8, 2.6}, {-1.4, 1.0, -0.7}), glm::radians(65.0f));
     add_player(b, {-1.4, 0, 2.1}, {1.2, 1.2, -0.95});
     add_level(b, R"("title":"The green screen",
         "hints":["The lamp shines past all that is green.",
@@ -84,7 +88,6 @@ SceneData level_green_screen() {
                 {"go":[1.3,0,-2.57],"look":[1.3,1.2,0.5],"seconds":2},
                 {"go":[1.3,0,-0.3],"look":[1.3,1.2,2.5],"seconds":4},
                 {"go":[0.2,0,-1.4],"look":[-3.6,1.3,-0.75],"seconds":4}])");
-    b.camera("camera", looking({2.9, 1.8, 2.6}, {-1.4, 1.0, -0.7}), glm::radians(65.0f));
     b.camera("beam", looking({-3.2, 1.7, -0.9}, {1.3, 1.1, 0.1}), glm::radians(65.0f));
     return b.scene;
 }

@@ -1,5 +1,6 @@
 #include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/hero_figure.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/plants.h"
 #include "tools/scene_generator/scenes.h"
@@ -18,7 +19,7 @@ constexpr double kRed =
 void shell(Builder& b, const Finishes& f) {
     const double t = kLevelWall;
     const std::uint32_t lime = painted_plaster(b, "pale-plaster", {0.66f, 0.63f, 0.58f});
-    const std::uint32_t red = painted_plaster(b, "red-plaster", {0.72f, 0.05f, 0.04f});
+    const std::uint32_t red = painted_stone(b, "red-stone", {0.7f, 0.05f, 0.04f});
     add_room(b, f, kHalf, {kNone, kNone, kNone, lime});
     b.solid("west-wall", box({-kHalf.x - t, 0, kRed}, {-kHalf.x, kHalf.y, kHalf.z}), lime, kBoxCollider);
     b.solid("red-wall", box({-kHalf.x - t, 0, -kHalf.z}, {-kHalf.x, kHalf.y, kRed}), red, kBoxCollider);
@@ -39,7 +40,8 @@ void furniture(Builder& b, const Finishes& f) {
     b.solid("bench", box({0.6, 0.4, 2.55}, {2.4, 0.46, 2.95}), f.oak, kBoxCollider);
     b.solid("bench-legs",
             whole({{"a", {0.7, 0, 2.6}, {0.78, 0.4, 2.9}}, {"b", {2.22, 0, 2.6}, {2.3, 0.4, 2.9}}}), f.oak);
-    b.solid("shelf", whole(shelf_parts({1.2, 1.9, 0.35}, 5)), f.oak, kBoxCollider, at({1.8, 0, -3.06}));
+    add_bookshelf(b, f, "shelf", {1.8, 0, -3.06}, {1.2, 1.9, 0.35}, 5, 15);
+    add_carpet(b, "carpet", {0.5, 0, 0.6}, {2.3, 0.012, 2.2}, kRedCarpet);
     const Fern plant = fern(b);
     add_fern(b, plant, "fern-west", {-2.3, 0, 2.6}, 1.15, 0.6);
     add_fern(b, plant, "fern-tip", {2.3, 0, 0.2}, 1.0, 2.2);
@@ -57,6 +59,7 @@ SceneData level_lamp_bearer() {
     add_lamp_bearer(b, "bearer", {-0.25, 0, 0.05}, kLamplight, 260);
     add_contract(b, "hall-is-lit", {0, 0.9, 1.2}, {5.4, 1.8, 3.4}, R"("lower":1,"share":0.7)");
     add_contract(b, "bay-is-dark", {-0.95, 1.2, -1.95}, {1.6, 2.4, 2.2}, R"("upper":3)");
+    b.camera("camera", looking({-1.2, 1.7, 1.6}, {-1.05, 1.15, -0.5}), glm::radians(64.0f));
     add_player(b, {0.2, 0, 1.2}, {-2.8, 1.2, 0.7});
     add_level(b, R"("title":"The lamp bearer",
         "hints":["You carry no light here. Somebody else does.",
@@ -72,7 +75,6 @@ SceneData level_lamp_bearer() {
                 {"go":[-2.3,0,-0.5],"look":[-2,1.2,2],"seconds":2},
                 {"go":[-1.6,0,1.4],"look":[0.5,1.2,1.6],"seconds":2},
                 {"go":[0.3,0,1.5],"look":[-1.5,1.3,-0.5],"seconds":5}])");
-    b.camera("camera", looking({-1.2, 1.7, 1.6}, {-1.05, 1.15, -0.5}), glm::radians(64.0f));
     b.camera("bay", looking({-2.0, 1.7, 2.2}, {-1.5, 1.0, -2.4}), glm::radians(62.0f));
     return b.scene;
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "tools/scene_generator/furniture.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/plants.h"
 #include "tools/scene_generator/scenes.h"
@@ -35,26 +36,6 @@ std::uint32_t painted_stars(Builder& b) {
                                                          1000 * static_cast<std::uint64_t>(997 * y)));
     });
     return material;
-}
-
-// A carpet with a border.
-void carpet(Builder& b, const std::string& name, const dvec3& low, const dvec3& high) {
-    const std::uint32_t wool = b.matte(name + "-wool", vec3(1), 0);
-    const double size = 0.4;
-    b.texture(wool, 32, size, [](double x, double y) {
-        const double d = std::abs(x - 0.5) + std::abs(y - 0.5);
-        return d < 0.14 ? dvec3(0.75, 0.58, 0.3) : d < 0.3 ? dvec3(0.32, 0.07, 0.09) : dvec3(0.5, 0.12, 0.1);
-    });
-    const std::uint32_t hem = b.matte(name + "-hem", {0.45f, 0.28f, 0.09f}, 0);
-    constexpr double kHem = 0.09;
-    const dvec3 in(kHem, 0, kHem);
-    b.solid(name, box(low + in, high - in), wool);
-    Shape edge;
-    add_box(edge, low, {high.x, high.y, low.z + kHem});
-    add_box(edge, {low.x, low.y, high.z - kHem}, high);
-    add_box(edge, {low.x, low.y, low.z + kHem}, {low.x + kHem, high.y, high.z - kHem});
-    add_box(edge, {high.x - kHem, low.y, low.z + kHem}, {high.x, high.y, high.z - kHem});
-    b.solid(name + "-hem", edge, hem);
 }
 
 void shell(Builder& b, const Finishes& f) {
@@ -112,7 +93,7 @@ void furniture(Builder& b, const Finishes& f) {
     add_crate(b, f, "crate-aside", {2.05, 0, 2.66}, 0.45, red, 6);
     b.solid("ball", icosphere(0.17, 3), b.matte("turquoise", {0.05f, 0.4f, 0.42f}, 0.5f),
             R"({"body":{"type":"dynamic","shape":"sphere","radius":0.17,"mass":2}})", at({0.5, 0.17, 0.2}));
-    carpet(b, "carpet", {-0.5, 0, -2.55}, {1.5, 0.012, -0.95});
+    add_carpet(b, "carpet", {-0.5, 0, -2.55}, {1.5, 0.012, -0.95}, kRedCarpet);
     const Fern plant = fern(b);
     add_fern(b, plant, "fern-corner", {3.2, 0, 1.0}, 1.1, 0.4);
     add_fern(b, plant, "fern-shrine", {-0.4, 0, -0.1}, 0.95, 2.1);
@@ -131,6 +112,7 @@ SceneData level_mirrors() {
     add_turning_mirror(b, f, silver, "mirror-north", {kTurned, 0, kBack}, -66, 0.4);
     furniture(b, f);
     add_sconce(b, f, "sconce", {-2.1, 1.95, kBlockZ}, {0, 0, 1}, 30);
+    b.camera("camera", looking({-1.6, 1.75, 2.5}, {2.1, 1.12, -0.35}), glm::radians(62.0f));
     add_player(b, {-2.4, 0, 2.4}, {2.0, 1.3, 0.6});
     add_level(b, R"("title":"Two mirrors",
         "hints":["Moonlight goes straight on until it meets a mirror.",
@@ -142,7 +124,6 @@ SceneData level_mirrors() {
                 {"go":[1.0,0,-0.6],"look":[2.3,1.2,-1.75],"seconds":2},
                 {"go":[1.0,0,-0.6],"look":[2.3,1.2,-1.75],"seconds":0.92,"deed":"use","hold":true},
                 {"go":[1.1,0,-0.4],"look":[-0.8,1.3,-1.75],"seconds":4}])");
-    b.camera("camera", looking({-1.6, 1.75, 2.5}, {2.1, 1.12, -0.35}), glm::radians(62.0f));
     b.camera("shrine", looking({2.6, 1.7, 0.3}, {-0.6, 1.15, -1.7}), glm::radians(66.0f));
     return b.scene;
 }

@@ -89,6 +89,7 @@ SceneData level_other_light() {
     add_sconce(b, f, "sconce-south", {-2.4, 2.0, kHalf.z}, {0, 0, -1}, 38);
     add_contract(b, "floor-is-lit", {0, 0.3, 0}, {7, 0.65, 5.8}, R"("lower":0.3,"share":0.7)");
     add_contract(b, "pearl-is-dark", {kPearl.x, kPearl.y, kPearl.z}, {0.2, 0.9, 0.9}, R"("upper":14)");
+    b.camera("camera", looking({-2.6, 1.8, 1.9}, {1.6, 1.2, -0.1}), glm::radians(60.0f));
     add_player(b, {-0.6, 0, 1.0}, {3.6, 1.3, 0.4});
     add_level(b, R"("title":"The other light",
         "hints":["The light of another tower comes by the window. It comes again.",
@@ -102,7 +103,6 @@ SceneData level_other_light() {
                 {"go":[0.2,0,0.5],"look":[0.4,1.2,-1],"seconds":1.5},
                 {"go":[0.2,0,0.5],"look":[0.4,1.2,-1],"seconds":3.5,"deed":"use","hold":true},
                 {"go":[0.0,0,1.2],"look":[3.6,1.0,1.4],"seconds":13}])");
-    b.camera("camera", looking({-2.6, 1.8, 1.9}, {1.6, 1.2, -0.1}), glm::radians(60.0f));
     return b.scene;
 }
 

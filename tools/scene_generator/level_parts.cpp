@@ -73,11 +73,10 @@ void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& c
     const std::uint32_t node =
         b.solid("lantern", cage, f.brass,
                 R"({"lantern":{"handle":0.31)" + (fields.empty() ? "" : "," + fields) + "}}", at(foot));
-    Light light;
-    light.type = LightType::point;
-    light.colour = colour;
-    light.intensity = candela;
-    b.light("lantern-light", at({0, 0.12, 0}), light, node);
+    // A stump of a candle, in the shade of the bottom.
+    b.scene.nodes[node].meshes.push_back(
+        b.mesh("candle", box({-0.018, 0.02, -0.018}, {0.018, 0.07, 0.018}), f.plaster));
+    add_flame(b, "lantern-light", {0, 0.12, 0}, colour, candela, 0.1, node);
 }
 
 void add_crystal(Builder& b, const Finishes& f, const std::string& name, const dvec3& place,
@@ -212,25 +211,17 @@ void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dv
         add_box(iron, {x, -0.03, -kOut - kBowl}, {x + 0.015, 0.03, kBowl - kOut});
     }
     const std::uint32_t node = b.solid(name, iron, f.iron, collider(), looking(wall, wall + towards));
-    Light flame;
-    flame.type = LightType::point;
-    flame.colour = kLamplight;
-    flame.intensity = candela;
-    const dvec3 light(0, 0.06, -kOut);
-    b.light(name + "-light", at(light), flame, node);
-    add_flame(b, name + "-flame", light, 0.09, node);
+    add_flame(b, name + "-light", {0, 0.06, -kOut}, kLamplight, candela, 0.16, node);
 }
 
-void add_flame(Builder& b, const std::string& name, const dvec3& light, double height, std::uint32_t parent) {
-    const std::uint32_t glow = b.matte(name, {1, 0.8f, 0.36f}, 0);
-    b.scene.materials[glow].unlit = true;
-    Outline outline;
-    add_curve(outline, {{0, 0}, {0.16, 0.14}, {0.2, 0.32}, {0.12, 0.62}, {0.04, 0.85}, {0, 1}}, 3);
-    for (OutlinePoint& point : outline) {
-        point.place *= height;
-    }
-    constexpr double kGap = 0.01;
-    b.solid(name, lathe(outline, 12), glow, {}, at(light - dvec3(0, height + kGap, 0)), parent);
+void add_flame(Builder& b, const std::string& name, const dvec3& place, const vec3& colour, float candela,
+               double height, std::uint32_t parent) {
+    Light light;
+    light.type = LightType::point;
+    light.colour = colour;
+    light.intensity = candela;
+    const std::uint32_t node = b.light(name, at(place), light, parent);
+    b.scene.nodes[node].extras = fmt::format(R"({{"flame":{{"height":{}}}}})", height);
 }
 
 void add_contract(Builder& b, const std::string& name, const dvec3& centre, const dvec3& size,

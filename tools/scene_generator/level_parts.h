@@ -49,9 +49,9 @@ void add_turning_mirror(Builder& b, const Finishes& f, std::uint32_t silver, con
 void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dvec3& wall,
                 const dvec3& towards, float candela);
 
-// What is seen of a flame of `height` metres right below its light at `light`, which therefore has to shine
-// on nothing straight below. It shines on nothing itself.
-void add_flame(Builder& b, const std::string& name, const dvec3& light, double height, std::uint32_t parent);
+// A point light at `place` below `parent`, and a flame of `height` metres around it.
+void add_flame(Builder& b, const std::string& name, const dvec3& place, const vec3& colour, float candela,
+               double height, std::uint32_t parent);
 
 // A painted crate with rims of oak, a cube of `size` metres that stands on `foot` and can be shoved; `mass`
 // in kilograms.

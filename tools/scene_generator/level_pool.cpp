@@ -149,6 +149,7 @@ SceneData level_pool() {
     b.solid("bench", box({0.2, 0.4, 2.45}, {2.0, 0.46, 2.85}), f.oak, kBoxCollider);
     b.solid("bench-legs",
             whole({{"a", {0.3, 0, 2.5}, {0.38, 0.4, 2.8}}, {"b", {1.82, 0, 2.5}, {1.9, 0.4, 2.8}}}), f.oak);
+    b.camera("camera", looking({-1.5, 1.75, 2.65}, {2.3, 0.95, -0.75}), glm::radians(64.0f));
     add_player(b, {-3, 0, 2.4}, {3.2, 1.2, -0.4});
     add_level(b, R"("title":"The pool",
         "hints":["The lamp does not shine on the crystals. Its light still gets there.",
@@ -165,7 +166,6 @@ SceneData level_pool() {
                 {"go":[-1.9,0,2.65],"look":[-1.9,1.2,0],"seconds":1.6},
                 {"go":[-1.9,0,0.74],"look":[-1.9,1.2,-1],"seconds":2.6},
                 {"go":[-1.9,0,0.74],"look":[3.6,1.4,0.4],"seconds":4}])");
-    b.camera("camera", looking({-1.5, 1.75, 2.65}, {2.3, 0.95, -0.75}), glm::radians(64.0f));
     b.camera("wall", looking({-0.9, 1.6, 2.4}, {3.4, 1.2, -0.3}), glm::radians(62.0f));
     return b.scene;
 }

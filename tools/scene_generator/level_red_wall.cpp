@@ -1,5 +1,5 @@
 #include "tools/scene_generator/curtain.h"
-#include "tools/scene_generator/furniture.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -48,7 +48,8 @@ void furniture(Builder& b, const Finishes& f) {
     b.solid("bench", box({-2.5, 0.4, -2.5}, {-0.6, 0.46, -2.1}), f.oak, kBoxCollider);
     b.solid("bench-legs", box({-2.4, 0, -2.45}, {-2.3, 0.4, -2.15}), f.oak);
     b.solid("bench-legs-2", box({-0.8, 0, -2.45}, {-0.7, 0.4, -2.15}), f.oak);
-    b.solid("shelf", whole(shelf_parts({1.0, 1.7, 0.35}, 4)), f.oak, kBoxCollider, at({3.0, 0, -2.76}));
+    add_bookshelf(b, f, "shelf", {3.0, 0, -2.76}, {1.0, 1.7, 0.35}, 4, 14);
+    add_carpet(b, "carpet", {-3.0, 0, -1.4}, {-1.0, 0.012, 0.6}, kBlueCarpet);
 }
 
 }  // namespace
@@ -61,6 +62,7 @@ SceneData level_red_wall() {
     curtain(b, f);
     furniture(b, f);
     add_lantern(b, f, {-1.75, 0.78, 1.85}, kLamplight, 80);
+    b.camera("camera", looking({-3.3, 1.8, 2.5}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
     add_player(b, {-2.7, 0, 0.9}, {-0.2, 1.3, 0.9});
     add_level(b, R"("title":"The red wall",
         "hints":["The crystal sleeps behind the stones. It wants red light.",
@@ -75,7 +77,6 @@ SceneData level_red_wall() {
                 {"go":[2.2,0,-2.3],"look":[0.95,1.2,-2.3],"seconds":3.5},
                 {"go":[-0.6,0,-2.3],"look":[-2.5,1.3,-1.5],"seconds":3.5},
                 {"go":[-1.0,0,-1.2],"look":[0.95,1.2,-2.3],"seconds":1.2}])");
-    b.camera("camera", looking({-3.3, 1.8, 2.5}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
     b.camera("behind", looking({2.9, 1.6, 2.4}, {1.2, 1.2, -0.5}), glm::radians(65.0f));
     return b.scene;
 }

@@ -1,5 +1,6 @@
 #include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/hero_figure.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -43,9 +44,11 @@ SceneData level_shutter() {
                 R"("lux":0.14,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
     b.table("table", {0.3, 0, 1.3}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-0.75, 0, 1.75}));
-    b.solid("shelf", whole(shelf_parts({1.2, 2.0, 0.35}, 5)), f.oak, kBoxCollider, at({-0.6, 0, -2.76}));
+    add_bookshelf(b, f, "shelf", {-0.6, 0, -2.76}, {1.2, 2.0, 0.35}, 5, 12);
+    add_carpet(b, "carpet", {-2.4, 0, -1.5}, {-0.4, 0.012, 0.3}, kRedCarpet);
     add_lantern(b, f, {0.35, 0.78, 1.2}, kLamplight, 40);
     add_follower(b, "puppet", {2.3, 0, -0.9});
+    b.camera("camera", looking({2.6, 1.8, 2.1}, {-2.4, 1.2, -0.6}), glm::radians(66.0f));
     add_player(b, {1.7, 0, 0.6}, {-3.2, 1.3, -0.4});
     add_level(b, R"("title":"The shutter",
         "hints":["The moon is out there, and it is blue enough for a blue wall.",
@@ -56,7 +59,6 @@ SceneData level_shutter() {
                 {"go":[-1.4,0,-0.4],"look":[3.2,1.3,-0.5],"seconds":2.2},
                 {"go":[-0.4,0,0.5],"look":[0.35,0.8,1.2],"seconds":1.5,"deed":"light"},
                 {"go":[0.4,0,0.1],"look":[-3.2,1.4,-1.2],"seconds":5}])");
-    b.camera("camera", looking({2.6, 1.8, 2.1}, {-2.4, 1.2, -0.6}), glm::radians(66.0f));
     b.camera("blue", looking({-2.7, 1.7, 1.9}, {2.4, 1.2, -0.6}), glm::radians(66.0f));
     return b.scene;
 }

@@ -1,4 +1,5 @@
 #include "tools/scene_generator/furniture.h"
+#include "tools/scene_generator/level_furnishings.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -49,9 +50,11 @@ SceneData level_two_glasses() {
     crystals(b, f);
     b.table("table", {-0.4, 0, 1.3}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({0.75, 0, 1.35}));
-    b.solid("shelf", whole(shelf_parts({1.4, 2.0, 0.35}, 5)), f.oak, kBoxCollider, at({-2.2, 0, -2.92}));
+    add_bookshelf(b, f, "shelf", {-2.2, 0, -2.92}, {1.4, 2.0, 0.35}, 5, 13);
+    add_carpet(b, "carpet", {-1.2, 0, -0.9}, {1.2, 0.012, 0.6}, kBlueCarpet);
     add_lantern(b, f, {-0.3, 0.78, 1.2}, {1, 0.85f, 0.7f}, 150,
                 R"("brightness":2,"slides":[[1,0.06,0.04],[0.02,0.06,1]])");
+    b.camera("camera", looking({-0.2, 1.7, 2.8}, {-0.2, 1.6, -1.0}), glm::radians(68.0f));
     add_player(b, {-1.2, 0, 2.3}, {-0.1, 1.6, -1.6});
     add_level(b, R"("title":"Two glasses",
         "hints":["These crystals lie too high for the lantern. The ceiling is white.",
@@ -66,7 +69,6 @@ SceneData level_two_glasses() {
                 {"go":[0,0,1.6],"look":[1.2,2.2,-1.9],"seconds":1.5,"deed":"colour"},
                 {"go":[0,0,1.8],"look":[0.6,2.2,-1.9],"seconds":4},
                 {"go":[-0.2,0,2.3],"look":[-0.2,2.0,-1.7],"seconds":2.5}])");
-    b.camera("camera", looking({-0.2, 1.7, 2.8}, {-0.2, 1.6, -1.0}), glm::radians(68.0f));
     return b.scene;
 }
 

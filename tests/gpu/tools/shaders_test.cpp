@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "lanthorn/gpu/context.h"
 #include "tests/support/repository.h"
@@ -113,12 +114,14 @@ void run_everything(const TemporaryFolder& dump) {
         render(lamps, {"--frames", "2", "--set", "render.shadow.resolution=16", "--set",
                        "render.air.scattering=0.01"});
     }
-    for (const char* technique : {"emc", "vertex-map"}) {
-        const Outcome game =
-            testing_tools::run_program(LAMPLIGHTER_BINARY,
-                                       {"--headless", "--frames", "2", "--out", out.path(technique), "--size",
-                                        "64x36", "--set", std::string("gi.technique=") + technique},
-                                       environment);
+    for (const auto& [technique, level] :
+         {std::pair("emc", "lantern-room"), {"vertex-map", "levels/red-wall"}}) {
+        const Outcome game = testing_tools::run_program(
+            LAMPLIGHTER_BINARY,
+            {"--headless", "--frames", "2", "--out", out.path(technique), "--size", "64x36", "--level",
+             support::repository_file(std::string("assets/") + level + ".glb"), "--set",
+             std::string("gi.technique=") + technique},
+            environment);
         ASSERT_EQ(game.code, 0) << game.err;
     }
     const Outcome lines =

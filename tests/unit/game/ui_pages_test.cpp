@@ -506,6 +506,21 @@ TEST(Pages, WordsAreDrawnInsideWindowsOfAnySize) {
     }
 }
 
+// Keys go through the credits to the last one, at the largest text in a small window, and back.
+TEST(Pages, CreditsScrollByKeys) {
+    Player player({640, 360}, 2);
+    player.show(Screen::credits);
+    player.key(GLFW_KEY_UP);  // from the first line round to the last
+    const ImGuiWindow& column = *ImGui::FindWindowByName("credits");
+    ASSERT_GT(column.ScrollMax.y, 360);
+    EXPECT_GT(player.chosen().Min.y, 0);
+    EXPECT_LE(player.chosen().Max.y, 360);
+    EXPECT_GT(column.Scroll.y, 0.6f * column.ScrollMax.y);
+    player.key(GLFW_KEY_DOWN);
+    EXPECT_GE(player.chosen().Min.y, 0);
+    EXPECT_LT(column.Scroll.y, 0.2f * column.ScrollMax.y);
+}
+
 // What has words as wide as its column is dark as far as the column goes, whatever the picture behind shows.
 TEST(Pages, LongWordsStandOnTheShade) {
     constexpr float kDark = 0.6f;

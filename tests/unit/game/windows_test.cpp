@@ -1,6 +1,7 @@
 // Windows of the game's levels: light goes through them, and no camera.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -43,6 +44,16 @@ TEST_P(Windows, LetNoCameraThrough) {
         EXPECT_NEAR(1.6 * sweep.share, 0.8 - 0.15 - kCamera, 1e-2) << node.name;
     }
     EXPECT_GE(windows, 1);
+}
+
+// What tools show of a level without being told is its establishing camera's view, not that from below her
+// hat.
+TEST_P(Windows, TheFirstCameraIsTheEstablishingOne) {
+    const SceneData scene = GetParam().make();
+    const auto first =
+        std::ranges::find_if(scene.nodes, [](const NodeData& node) { return node.camera != kNone; });
+    ASSERT_NE(first, scene.nodes.end());
+    EXPECT_EQ(first->name, "camera");
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Windows, testing::ValuesIn(scene_generator::level_scenes()),
