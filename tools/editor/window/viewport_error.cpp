@@ -62,7 +62,11 @@ void Viewport::draw_error() {
     if (known && error_tint_) {
         const vec2 covered = vec2(state_.error->cells * state_.error->stride) / vec2(state_.error->size);
         const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(error_tint_.id()));
+        // It is B's.
+        const float left = state_.other_side ? box.x + state_.divider * box.width : box.x;
+        list.PushClipRect({left, box.y}, {box.x + box.width, box.y + box.height}, true);
         list.AddImage(id, {box.x, box.y}, {box.x + covered.x * box.width, box.y + covered.y * box.height});
+        list.PopClipRect();
     }
     const vec2 at(box.x + box.width - 176 * u, box.y + 28 * u);
     list.AddRectFilled({at.x, at.y}, {at.x + 170 * u, at.y + 38 * u}, IM_COL32(0, 0, 0, 190));
