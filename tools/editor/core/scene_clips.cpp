@@ -66,8 +66,7 @@ std::vector<ClipRow> clip_rows(EditSession& session) {
             }
             const auto sort = [](auto& all) {
                 std::ranges::sort(all);
-                const auto again = std::ranges::unique(all);
-                all.erase(again.begin(), again.end());
+                all.erase(std::unique(all.begin(), all.end()), all.end());
             };
             sort(row.nodes);
             sort(row.keys);

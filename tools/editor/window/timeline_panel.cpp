@@ -30,9 +30,9 @@ std::vector<const editor::ClipRow*> ordered(const EditorState& state, std::size_
     for (const editor::ClipRow& clip : state.timeline.clips) {
         rows.push_back(&clip);
     }
-    const auto others =
-        std::ranges::stable_partition(rows, [&](const auto* clip) { return moves_chosen(*clip); });
-    of_chosen = static_cast<std::size_t>(others.begin() - rows.begin());
+    const auto others = std::stable_partition(rows.begin(), rows.end(),
+                                              [&](const auto* clip) { return moves_chosen(*clip); });
+    of_chosen = static_cast<std::size_t>(others - rows.begin());
     return rows;
 }
 
