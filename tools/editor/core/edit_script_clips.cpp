@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "lanthorn/core/error.h"
 #include "tools/editor/core/edit_script.h"
 #include "tools/editor/core/scene_clips.h"
 

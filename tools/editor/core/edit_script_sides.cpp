@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/error.h"
 #include "lanthorn/workbench/metrics.h"
 #include "tools/editor/core/edit_script.h"
 #include "tools/editor/core/two_sides.h"

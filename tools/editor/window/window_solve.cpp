@@ -1,6 +1,8 @@
 // Still solvable? The level's recording, played in a process of its own.
+#include <chrono>
 #include <utility>
 
+#include "lanthorn/core/error.h"
 #include "tools/editor/window/window_state.h"
 
 namespace lanthorn::edit_window {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lanthorn/core/error.h"
 #include "tools/editor/window/window_state.h"
 
 namespace lanthorn::edit_window {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "tools/lanthorn/replay/progress_file.h"
 #include "tools/lanthorn/replay/replay_commands.h"

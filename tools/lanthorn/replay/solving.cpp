@@ -11,6 +11,7 @@
 
 #include "game/rules/components.h"
 #include "game/rules/player_input.h"
+#include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/runtime/sensor_plugin.h"
