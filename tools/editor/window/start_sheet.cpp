@@ -43,7 +43,7 @@ bool card(EditorState& state, const fs::path& file, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 corner(at.x + width, at.y + height);
     if (const gpu::Texture* picture = state.cards.of(file)) {
-        const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture->id()));
+        const auto id = image_of(picture->id());
         list.AddImage(id, at, corner);
     } else {
         list.AddRectFilled(at, corner, colour::bar);

@@ -83,7 +83,7 @@ void Viewport::draw_compared() {
     const KeptPicture* kept = state_.kept_picture();
     if (const GLuint texture = kept != nullptr ? kept->texture.id() : state_.picture.other_texture();
         texture != 0) {
-        const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
+        const auto id = image_of(texture);
         list.AddImage(id, {box.x, box.y}, {x, box.y + box.height}, {0, 1}, {state_.divider, 0});
     } else {
         list.AddRectFilled({box.x, box.y}, {x, box.y + box.height}, IM_COL32(0, 0, 0, 120));

@@ -58,7 +58,7 @@ void Viewport::draw(double now) {
     const Box& box = state_.layout.picture;
     eye_ = Projector(look_, origin_, box);
     if (state_.picture.texture() != 0) {
-        const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(state_.picture.texture()));
+        const auto id = image_of(state_.picture.texture());
         list.AddImage(id, {box.x, box.y}, {box.x + box.width, box.y + box.height}, {0, 1}, {1, 0});
     }
     list.PushClipRect({box.x, box.y}, {box.x + box.width, box.y + box.height}, true);

@@ -61,7 +61,7 @@ void Viewport::draw_error() {
     const bool known = state_.error && state_.error_of_frame == state_.picture.frames();
     if (known && error_tint_) {
         const vec2 covered = vec2(state_.error->cells * state_.error->stride) / vec2(state_.error->size);
-        const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(error_tint_.id()));
+        const auto id = image_of(error_tint_.id());
         // It is B's.
         const float left = state_.other_side ? box.x + state_.divider * box.width : box.x;
         list.PushClipRect({left, box.y}, {box.x + box.width, box.y + box.height}, true);

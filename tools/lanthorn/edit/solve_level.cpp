@@ -26,7 +26,7 @@ constexpr const char* kProgress = "progress";
 constexpr const char* kLength = "steps";
 
 fs::path found_recording(const editor::EditSession& session) {
-    const fs::path file = session.path().empty() ? fs::path() : recording_of(session.path());
+    fs::path file = session.path().empty() ? fs::path() : recording_of(session.path());
     if (file.empty()) {
         const std::string name = session.path().empty() ? "room.glb" : session.path().filename().string();
         throw InputError(
