@@ -30,7 +30,9 @@ void Viewport::show_error(const editor::ErrorMap& map) {
     texels.reserve(4 * map.error.size());
     for (int y = 0; y < map.cells.y; ++y) {
         for (int x = 0; x < map.cells.x; ++x) {
-            const float error = map.error[static_cast<std::size_t>(y * map.cells.x + x)];
+            const float error =
+                map.error[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.cells.x) +
+                          static_cast<std::size_t>(x)];
             const float amount = std::isfinite(error) ? std::min(std::abs(error), 1.0f) : 0.0f;
             const bool faint = error < 0 && (x + y) % 2 == 0;
             const auto alpha =
