@@ -156,6 +156,7 @@ void PathTechnique::add_irradiance(const render::LightInputs& inputs, const rend
         const float offset =
             std::max(kOffset * std::max({far.x, far.y, far.z}), kSensorOffset * sensors[point.sensor].radius);
         std::vector<reference::IrradianceStart> starts;
+        starts.reserve(kSensorSamples);
         for (int k = 0; k < kSensorSamples; ++k) {
             starts.push_back({point.position, point.normal, offset,
                               reference::RandomNumbers(settings_.seed, static_cast<std::uint32_t>(i),
