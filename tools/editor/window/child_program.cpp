@@ -56,6 +56,7 @@ void ChildProgram::start(const std::vector<std::string>& command, int niceness) 
         thread_.join();
     }
     std::vector<char*> argv;
+    argv.reserve(command.size() + 1);
     for (const std::string& word : command) {
         argv.push_back(const_cast<char*>(word.c_str()));
     }
