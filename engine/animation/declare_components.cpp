@@ -1,5 +1,6 @@
 #include "engine/animation/declare_components.h"
 
+#include "engine/animation/start_clip.h"
 #include "lanthorn/animation/animation_player.h"
 
 namespace lanthorn {
@@ -38,6 +39,9 @@ void declare_animation_components(ecs::Registry& registry) {
             field("binding", &AnimationPlayer::binding).transient())
         .runtime()
         .not_in_extras();
+    registry.component<StartClip>(
+        "start_clip", "which of the file's clips plays, on any node; without it the first one does",
+        field("clip", &StartClip::clip).words("its name, or none"));
 }
 
 }  // namespace lanthorn

@@ -19,6 +19,8 @@ class PassEnd {
 
     // A pass of this thread has ended, or a part of a long one.
     static void tell();
+    // Somebody on this thread is told: long work that is done in parts for it alone can be done at once else.
+    static bool is_heard();
 
   private:
     std::function<void()> call_;

@@ -47,6 +47,10 @@ void PassEnd::tell() {
     }
 }
 
+bool PassEnd::is_heard() {
+    return pass_end != nullptr;
+}
+
 PassTimer::~PassTimer() {
     for (const Pending& p : pending_) {
         const GLuint ids[2] = {p.begin, p.end};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/gpu/pass_end.h"
 #include "engine/render/detail_hints.h"
 #include "engine/render/direct.h"
 #include "engine/render/scene_renderer.h"
@@ -124,6 +125,23 @@ const DrawnView& Renderer::drawn(ViewId id) const {
                                 static_cast<std::uint32_t>(id)));
     }
     return **found;
+}
+
+ViewPass::ViewPass(const Renderer& renderer, DrawnView& view) : view_(view) {
+    if (view.id != ViewId::first) {
+        whole_.emplace(*renderer.timer, view.name);
+    }
+    view.at_work = true;
+}
+
+ViewPass::~ViewPass() {
+    // Whose time it was is asked at the end of a pass.
+    if (whole_) {
+        whole_.reset();
+    } else {
+        gpu::PassEnd::tell();
+    }
+    view_.at_work = false;
 }
 
 void RenderPlugin::build(App& app) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/animation/start_clip.h"
 #include "engine/runtime/animation_plugin.h"
 #include "engine/runtime/physics_plugin.h"
 #include "lanthorn/animation/animation_player.h"
@@ -48,7 +49,15 @@ std::vector<ecs::Entity> spawn_scene(App& app, SceneData scene, BadExtras bad) {
     return entities;
 }
 
-void play_clip(ecs::World& world, const std::string& animation, const std::string& source) {
+std::string named_clip(ecs::World& world) {
+    std::string name;
+    world.query<ecs::Read<StartClip>>().each(
+        [&](const StartClip& start) { name = name.empty() ? start.clip : name; });
+    return name;
+}
+
+void play_clip(ecs::World& world, const std::string& asked, const std::string& source) {
+    const std::string animation = asked.empty() ? named_clip(world) : asked;
     if (animation == "none") {
         return;
     }

@@ -130,6 +130,10 @@ void start_camera(World& world, const std::string& source) {
 }  // namespace
 
 void start_clip(World& world, const std::string& source) {
+    if (!named_clip(world).empty()) {
+        play_clip(world, "", source);
+        return;
+    }
     std::vector<std::string> taken;
     world.query<ecs::Read<Figure>>().each([&](const Figure& figure) {
         taken.insert(taken.end(), {figure.idle, figure.walk});

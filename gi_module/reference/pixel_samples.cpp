@@ -6,7 +6,9 @@ namespace lanthorn::reference {
 
 namespace {
 
-constexpr std::size_t kRun = 256;  // pixels that a thread takes at once
+constexpr std::size_t kRun = 256;            // pixels that a thread takes at once
+constexpr std::size_t kSmallest = 8 * kRun;  // pixels that several threads still share well
+constexpr std::size_t kPart = 1 << 14;       // samples between two calls of `between`: some 20 ms
 constexpr std::uint32_t kLensDimension = 0xffffffu;
 
 }  // namespace
@@ -42,8 +44,8 @@ void PixelSamples::set_counts(int spp, std::uint64_t nan_count) {
 
 CameraRay PixelSamples::camera_ray(const CameraRays& camera, std::size_t pixel, const vec2& within) const {
     const auto across = static_cast<std::size_t>(size_.x);
-    const std::size_t row = pixel / across, column = pixel % across;
-    return camera.ray(static_cast<float>(column) + within.x, static_cast<float>(row) + within.y);
+    const std::size_t row = pixel / across;
+    return camera.ray(static_cast<float>(pixel % across) + within.x, static_cast<float>(row) + within.y);
 }
 
 // Pixels from `begin` on in runs of neighbours, each run on one thread: visit(first, number of pixels).
@@ -112,8 +114,9 @@ void PixelSamples::sample(const PixelRays& rays, std::size_t begin, std::size_t 
     }
 }
 
-void PixelSamples::trace(const PixelRays& rays, int count, TileWorkers& workers) {
-    for_each_run(workers, begin_, end_, [&](std::size_t begin, std::size_t pixels) {
+void PixelSamples::trace(const PixelRays& rays, int count, TileWorkers& workers,
+                         const std::function<void()>& between) {
+    const auto visit = [&](std::size_t begin, std::size_t pixels) {
         sample(rays, begin, pixels, count,
                [&](std::size_t pixel, std::uint32_t number, const PathSample& result) {
                    const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};
@@ -123,7 +126,15 @@ void PixelSamples::trace(const PixelRays& rays, int count, TileWorkers& workers)
                        }
                    }
                });
-    });
+    };
+    const std::size_t part =
+        between ? std::max(kSmallest, kPart / static_cast<std::size_t>(count)) : first_.size();
+    for (std::size_t begin = begin_; begin < end_; begin += part) {
+        for_each_run(workers, begin, std::min(end_, begin + part), visit);
+        if (between) {
+            between();
+        }
+    }
     spp_ += count;
 }
 

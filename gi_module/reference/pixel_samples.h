@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,8 +31,10 @@ class PixelSamples {
     // Finds what each pixel sees through its centre. O(pixels log triangles).
     void look(const PixelRays& rays, TileWorkers& workers);
     // Adds the next `count` samples to every pixel; after look() with the same rays. They are a function of
-    // seed, pixel and number alone: not of `count`, nor of the threads.
-    void trace(const PixelRays& rays, int count, TileWorkers& workers);
+    // seed, pixel and number alone: not of `count`, nor of the threads. `between`, if there is one, is called
+    // on this thread each time that another part of the picture has them.
+    void trace(const PixelRays& rays, int count, TileWorkers& workers,
+               const std::function<void()>& between = {});
     // The next sample of all pixels, one path after the other on this thread; it does not count.
     void trace_apart(const PixelRays& rays);
     // Forgets the samples, not what the pixels see; from here on samples have these parts.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/gpu/pass_end.h"
 #include "gi_module/techniques/path/path.h"
 #include "gi_module/techniques/path/path_views.h"
 
@@ -116,7 +117,8 @@ render::IndirectLight PathTechnique::indirect(const render::FrameInputs& inputs)
             known_.first_surfaces.made(now_);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "paths");
-        samples_->trace(rays, plan_.frame_spp, *workers_);
+        samples_->trace(rays, plan_.frame_spp, *workers_,
+                        gpu::PassEnd::is_heard() ? &gpu::PassEnd::tell : nullptr);
         known_.paths.made(now_);
         known_.spp = samples_->spp();
         if (known_.spp == reference::next_noise_check(known_.spp - 1)) {

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "lanthorn/replay/recording.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
@@ -53,6 +54,41 @@ TEST_F(Script, OfTheWishesHolds) {
               "lanthorn: a.edits:2: wish: found 2 numbers in '1,2', expected a path, X,Y,Z in metres, or "
               "X,Y,Z,NX,NY,NZ\n");
     EXPECT_EQ(run("new-room\nwish 0,0,0 60\nexpect wishes met\n").code, 1);
+}
+
+// The beginning of a level's recording wakes none of its crystals: which, and how many lux are missing.
+TEST_F(Script, SaysWhetherTheLevelIsStillSolvable) {
+    const std::string level = support::repository_file("assets/levels/red-wall.glb");
+    replay::Recording recording =
+        replay::read_recording(support::repository_file("tests/replay/red-wall.rec"));
+    recording.annotations = {};
+    recording.steps.resize(30);
+    replay::write_recording(folder.path("short.rec"), recording);
+    const Outcome outcome = run("expect solvable " + folder.path("short.rec") + "\n", {level});
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("a.edits:1: not solved: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(" lx"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run("print solvable " + folder.path("none.rec") + "\n", {level}).code, 2);
+    EXPECT_EQ(run("new-room\nprint solvable\n").code, 2);
+}
+
+// Two techniques in one picture, each with its time.
+TEST_F(Script, ComparesTwoWaysToDraw) {
+    const std::string picture = folder.path("two.png");
+    const Outcome outcome = run("new-room\ncompare " + picture + " none emc/low 64x36 2\ncompare " + picture +
+                                " emc emc 64x36 2\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("A: none, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("B: emc low, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("A has no indirect light"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("relRMSE 0.000, flux 1.000"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(std::filesystem::exists(picture));
+    for (const char* wrong : {"nothing emc", "emc/fine emc", "emc"}) {
+        const Outcome bad = run("new-room\ncompare " + folder.path("no.png") + " " + wrong + "\n");
+        EXPECT_EQ(bad.code, 2) << wrong;
+        EXPECT_EQ(bad.error_lines(), 1) << bad.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path("no.png")));
 }
 
 // A level as a recorded session leaves it: one step, seen by the player's eyes.

@@ -47,6 +47,21 @@ class Hand : public WindowTest {
         PlayedScene played;
         played.before[lamp].to_world = played.after[lamp].to_world = scene.model().world_matrix(lamp);
         played.after[lamp].to_world[3].y += 1;
+        // Somebody who finds a level solvable whose lamp has its name; or never comes to an end.
+        options.solve = [this](const editor::EditSession& session, const fs::path& folder) {
+            session.document().write(folder / "level.glb");
+            return std::vector<std::string>{"/bin/sh", "-c",
+                                            slow_ ? "sleep 60" : "grep -c lantern-light \"$0\" >\"$1\"",
+                                            (folder / "level.glb").string(), (folder / "found").string()};
+        };
+        options.solve_found = [](const fs::path& folder) {
+            SolveShown found;
+            if (fs::exists(folder / "found")) {
+                found.solved = true;
+                found.words = "solved at step 3";
+            }
+            return found;
+        };
         options.played = [played](const fs::path& level) {
             EXPECT_TRUE(fs::exists(level / "level.glb"));
             return played;
@@ -83,6 +98,7 @@ class Hand : public WindowTest {
     }
 
     fs::path file_;
+    bool slow_ = false;
 };
 
 TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
@@ -217,7 +233,7 @@ TEST_F(Hand, AsksWhyTheLightIsThereAndHowWrongItIs) {
 TEST_F(Hand, ComparesWithAPictureThatWasKeptAndPlaysFromHere) {
     ASSERT_TRUE(rests());
     hand("key b");
-    ASSERT_TRUE(comes([&] { return state().kept_picture.has_value(); }));
+    ASSERT_TRUE(comes([&] { return state().kept_picture() != nullptr; }));
     const Box& box = state().layout.picture;
     const vec2 middle(box.x + 0.5f * box.width, box.y + 0.6f * box.height);
     hand("mousemove " + at(middle) + " mousedown 1 mousemove " + at(middle - vec2(0.25f * box.width, 0)) +
@@ -225,7 +241,7 @@ TEST_F(Hand, ComparesWithAPictureThatWasKeptAndPlaysFromHere) {
     ASSERT_TRUE(comes([&] { return std::abs(state().divider - 0.25f) < 0.02f; })) << state().divider;
     EXPECT_TRUE(state().chosen.empty());  // the divider's drag chooses nothing
     hand("key b");
-    ASSERT_TRUE(comes([&] { return !state().kept_picture; }));
+    ASSERT_TRUE(comes([&] { return !state().other_side; }));
     hand("key F5");
     ASSERT_TRUE(comes([&] { return state().toast.find("back from playing") != std::string::npos; }))
         << state().toast << state().problem;
@@ -245,6 +261,78 @@ TEST_F(Hand, ComparesWithAPictureThatWasKeptAndPlaysFromHere) {
     hand("key ctrl+z");
     ASSERT_TRUE(comes([&] { return steps() == 0; }));
     EXPECT_EQ(height(), low);
+}
+
+// Two techniques at once: each with its own milliseconds, A frozen under the hand, off without a trace, and a
+// step of the history of views.
+TEST_F(Hand, ComparesTwoTechniquesOfTheSameMoment) {
+    ASSERT_TRUE(rests());
+    EXPECT_EQ(state().picture.other_texture(), 0u);
+    hand("key shift+b");
+    ASSERT_TRUE(comes([&] { return state().picture.other_is_new(); }));
+    ASSERT_TRUE(rests());
+    const PictureFacts& a = state().picture.other_facts();
+    const PictureFacts& b = state().picture.facts();
+    EXPECT_EQ(a.technique, "none");  // this program has two
+    EXPECT_EQ(b.technique, "emc");
+    EXPECT_EQ(a.size, b.size);
+    EXPECT_GT(a.ms, 0);
+    EXPECT_GT(b.ms, 0);
+    EXPECT_EQ(steps(), 0u);
+    EXPECT_FALSE(state().dirty);
+
+    const int frames = state().picture.frames();
+    const Box& box = state().layout.picture;
+    const vec2 middle(box.x + 0.5f * box.width, box.y + 0.7f * box.height);
+    hand("mousemove " + at(middle) + " mousedown 1 mousemove " + at(middle + vec2(0.2f * box.width, 0)) +
+         " mouseup 1");
+    ASSERT_TRUE(comes([&] { return std::abs(state().divider - 0.7f) < 0.02f; })) << state().divider;
+    EXPECT_EQ(state().picture.frames(), frames);  // both pictures were there
+
+    take_the_lamp();
+    ASSERT_TRUE(comes([&] { return state().picture.facts().quality == Quality::drag; }));
+    EXPECT_FALSE(state().picture.other_is_new());
+    EXPECT_NE(state().picture.other_texture(), 0u);
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return steps() == 1 && state().picture.other_is_new(); }));
+    hand("key ctrl+z");
+    ASSERT_TRUE(comes([&] { return steps() == 0; }));
+
+    hand("key shift+b");
+    ASSERT_TRUE(comes([&] { return !state().other_side && state().picture.other_texture() == 0; }));
+    hand("key alt+Left");
+    ASSERT_TRUE(comes([&] { return state().other_side && state().other_side->as; }));
+    hand("key alt+Right");
+    ASSERT_TRUE(comes([&] { return !state().other_side; }));
+    EXPECT_FALSE(state().dirty);
+}
+
+// A clip is how one looks, and the level is played in a process of its own.
+TEST_F(Hand, PlaysAClipAndAsksWhetherTheLevelIsSolvable) {
+    ASSERT_TRUE(rests());
+    ASSERT_NE(state().timeline.shown(), nullptr);
+    hand("key space");
+    ASSERT_TRUE(comes([&] { return state().timeline.playing && state().session.moment() > 0; }));
+    EXPECT_EQ(state().picture.facts().quality, Quality::drag);
+    hand("key space");
+    ASSERT_TRUE(comes([&] { return !state().timeline.playing; }));
+    ASSERT_TRUE(rests());
+    EXPECT_NEAR(state().session.moment(), state().timeline.second(), 1e-6);
+    EXPECT_FALSE(state().dirty);
+
+    hand("key shift+F5");
+    ASSERT_TRUE(comes([&] { return state().solve.solved.has_value() && !state().solving; }))
+        << state().problem;
+    EXPECT_EQ(state().drawer_tab, kSolveTab);
+    EXPECT_EQ(state().solve.words, "solved at step 3");
+    slow_ = true;
+    hand("key shift+F5");
+    ASSERT_TRUE(comes([&] { return state().solving; }));
+    hand("key shift+F5");
+    ASSERT_TRUE(comes([&] { return !state().solving; }));
+    EXPECT_FALSE(state().solve.solved);
+    EXPECT_EQ(state().problem, "");
+    EXPECT_EQ(steps(), 0u);
 }
 
 // Lux for a place of the wall, by a drag in the picture; solved as one step.

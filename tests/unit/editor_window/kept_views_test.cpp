@@ -64,23 +64,35 @@ TEST(KeptViews, RefuseWhatIsNoneWithTheLine) {
     }
 }
 
+LookedAt seen(double x) {
+    return {from(x)};
+}
+
 TEST(ViewHistory, GoesBackToWhereOneStoodAndForthAgain) {
     ViewHistory history;
-    EXPECT_FALSE(history.back(from(0), 1));
-    history.leave(from(0), 10, false);      // a hand begins
-    history.leave(from(0.5), 10.1, false);  // and goes on
-    history.leave(from(1), 10.2, true);     // a jump from 1 to 2
-    history.leave(from(2), 10.3, false);    // a hand again
-    EXPECT_EQ(history.back(from(3), 20), from(2));
-    EXPECT_EQ(history.back(from(2), 20), from(1));
-    EXPECT_EQ(history.back(from(1), 20), from(0));
-    EXPECT_FALSE(history.back(from(0), 20));
-    EXPECT_EQ(history.forth(from(0), 20), from(1));
-    EXPECT_EQ(history.forth(from(1), 20), from(2));
-    EXPECT_EQ(history.back(from(2), 20), from(1));
-    history.leave(from(1), 21, false);  // another way: no way forth any more
-    EXPECT_FALSE(history.forth(from(5), 21));
-    EXPECT_EQ(history.back(from(5), 21), from(1));
+    EXPECT_FALSE(history.back(seen(0), 1));
+    history.leave(seen(0), 10, false);      // a hand begins
+    history.leave(seen(0.5), 10.1, false);  // and goes on
+    history.leave(seen(1), 10.2, true);     // a jump from 1 to 2
+    history.leave(seen(2), 10.3, false);    // a hand again
+    EXPECT_EQ(history.back(seen(3), 20), seen(2));
+    EXPECT_EQ(history.back(seen(2), 20), seen(1));
+    EXPECT_EQ(history.back(seen(1), 20), seen(0));
+    EXPECT_FALSE(history.back(seen(0), 20));
+    EXPECT_EQ(history.forth(seen(0), 20), seen(1));
+    EXPECT_EQ(history.forth(seen(1), 20), seen(2));
+    EXPECT_EQ(history.back(seen(2), 20), seen(1));
+    history.leave(seen(1), 21, false);  // another way: no way forth any more
+    EXPECT_FALSE(history.forth(seen(5), 21));
+    EXPECT_EQ(history.back(seen(5), 21), seen(1));
+}
+
+TEST(ViewHistory, KnowsWhatStoodBesideAView) {
+    const auto side = std::make_shared<const OtherSide>();
+    ViewHistory history;
+    history.leave(seen(0), 10, true);
+    EXPECT_EQ(history.back({from(0), side}, 11), seen(0));
+    EXPECT_EQ(history.forth(seen(0), 12), (LookedAt{from(0), side}));
 }
 
 TEST(ViewHistory, LookingElsewhereIsNoEdit) {

@@ -20,7 +20,6 @@
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/node_value.h"
 #include "tools/editor/core/review_page.h"
-#include "tools/editor/core/same_as_game.h"
 #include "tools/workbench/measure/light_words.h"
 
 namespace lanthorn::editor {
@@ -42,23 +41,6 @@ int whole(const std::string& text, int low, int high, const char* what) {
     return value;
 }
 
-// [WIDTHxHEIGHT [FRAMES]] from word `at` on.
-CheckedFrames frames_in(const std::vector<std::string>& words, std::size_t at) {
-    CheckedFrames what;
-    if (words.size() > at) {
-        const std::size_t x = words[at].find('x');
-        if (x == std::string::npos) {
-            throw InputError(fmt::format("found '{}', expected WIDTHxHEIGHT", words[at]));
-        }
-        what.size = {whole(words[at].substr(0, x), 1, 8192, "a width"),
-                     whole(words[at].substr(x + 1), 1, 8192, "a height")};
-    }
-    if (words.size() > at + 1) {
-        what.frames = whole(words[at + 1], 1, 10000, "a number of frames");
-    }
-    return what;
-}
-
 std::string hash_text(const FrameHashes& hashes) {
     return fmt::format("gbuffer {:016x}, direct {:016x}, indirect {:016x}, final {:016x}", hashes.gbuffer,
                        hashes.direct, hashes.indirect, hashes.final);
@@ -72,6 +54,22 @@ void EditScript::expect_words(const std::vector<std::string>& words, std::size_t
         throw InputError(fmt::format("{}: found {} word{} behind it, expected {}", words[0], words.size() - 1,
                                      words.size() == 2 ? "" : "s", usage));
     }
+}
+
+CheckedFrames EditScript::frames_in(const std::vector<std::string>& words, std::size_t at) {
+    CheckedFrames what;
+    if (words.size() > at) {
+        const std::size_t x = words[at].find('x');
+        if (x == std::string::npos) {
+            throw InputError(fmt::format("found '{}', expected WIDTHxHEIGHT", words[at]));
+        }
+        what.size = {whole(words[at].substr(0, x), 1, 8192, "a width"),
+                     whole(words[at].substr(x + 1), 1, 8192, "a height")};
+    }
+    if (words.size() > at + 1) {
+        what.frames = whole(words[at + 1], 1, 10000, "a number of frames");
+    }
+    return what;
 }
 
 std::string document_hash(const GltfDocument& document) {
@@ -149,6 +147,10 @@ void EditScript::run_line(const std::string& line) {
         expect(words);
     } else if (verb == "picture") {
         picture(words);
+    } else if (verb == "clip") {
+        show_clip(words);
+    } else if (verb == "compare") {
+        compare(words);
     } else if (verb == "review") {
         review(words);
     } else if (verb == "same-as-game") {
@@ -216,6 +218,12 @@ void EditScript::expect(const std::vector<std::string>& words) {
     } else if (what == "wishes") {
         need(3, "wishes met|missed");
         expect_wishes(words[2]);
+    } else if (what == "solvable") {
+        if (const Solved found = solve(words); !found.solved) {
+            fail_check(found.words);
+        }
+    } else if (what == "clip" || what == "starts-with") {
+        expect_clip(words);
     } else if (what == "selection") {
         std::vector<std::string> selected;
         for (const std::uint32_t node : session_.selection()) {
@@ -236,10 +244,10 @@ void EditScript::expect(const std::vector<std::string>& words) {
         expect_value(fmt::format("{} {}", what, words[2]),
                      node_value(session_.model(), session_.registry(), node, words[2]), words[3]);
     } else {
-        throw InputError(
-            fmt::format("expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
-                        "steps, nodes, left, gone, warning, no-warning, wishes or selection",
-                        what));
+        throw InputError(fmt::format(
+            "expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
+            "steps, nodes, left, gone, warning, no-warning, wishes, clip, starts-with, solvable or selection",
+            what));
     }
 }
 
@@ -334,11 +342,27 @@ void EditScript::print_error(const std::vector<std::string>& words) {
                        map.within_noise ? ": within their noise" : ""));
 }
 
+EditScript::Solved EditScript::solve(const std::vector<std::string>& words) {
+    expect_words(words, 2, 3, "solvable [RECORDING]");
+    if (!session_.is_open()) {
+        throw InputError("found no scene, expected open FILE or new-room before it");
+    }
+    if (!solver_) {
+        throw InputError("solvable: this program has no game whose levels are solved");
+    }
+    Solved found = solver_(session_, words.size() > 2 ? fs::path(words[2]) : fs::path());
+    if (context_) {
+        context_->make_current();  // the game has drawn in one of its own
+    }
+    return found;
+}
+
 void EditScript::print(const std::vector<std::string>& words) {
-    expect_words(words, 2, 4,
-                 "print changes|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|render-line "
-                 "[WIDTHxHEIGHT "
-                 "[FRAMES]]|warnings|why X,Y [WIDTHxHEIGHT]|wishes");
+    expect_words(
+        words, 2, 4,
+        "print changes|clips|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|render-line "
+        "[WIDTHxHEIGHT "
+        "[FRAMES]]|solvable [RECORDING]|warnings|why X,Y [WIDTHxHEIGHT]|wishes");
     const std::string& what = words[1];
     if (what == "changes") {
         const TextChanges changes = session_.changes();
@@ -346,6 +370,10 @@ void EditScript::print(const std::vector<std::string>& words) {
         for (const TextChanges::Line& line : changes.lines) {
             print_(fmt::format("{}{:6} {}", line.added ? '+' : '-', line.line, line.text));
         }
+    } else if (what == "solvable") {
+        print_(solve(words).words);
+    } else if (what == "clips") {
+        print_clips();
     } else if (what == "hash") {
         print_(document_hash(session_.document()));
     } else if (what == "history") {
@@ -387,10 +415,10 @@ void EditScript::print(const std::vector<std::string>& words) {
             print_(outcome_words(outcome));
         }
     } else {
-        throw InputError(
-            fmt::format("print: found '{}', expected changes, error, hash, history, lights, left, nodes, "
-                        "render-line, warnings, why or wishes",
-                        what));
+        throw InputError(fmt::format(
+            "print: found '{}', expected changes, clips, error, hash, history, lights, left, nodes, "
+            "render-line, solvable, warnings, why or wishes",
+            what));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/core/error.h"
@@ -12,6 +13,7 @@
 #include "lanthorn/gpu/context.h"
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/core/light_wishes.h"
+#include "tools/editor/core/same_as_game.h"
 #include "tools/editor/core/why_light.h"
 
 namespace lanthorn::editor {
@@ -24,13 +26,27 @@ namespace lanthorn::editor {
 //   expect PATH FIELD VALUE   expect material NAME FIELD VALUE   expect gone PATH
 //   expect hash HEX   expect changes TEXT   expect dirty   expect clean   expect steps N   expect nodes N
 //   expect warning KIND   expect no-warning KIND   expect selection PATH...
+//   clip [NAME|none [SECONDS]]   expect clip NAME [SECONDS]   expect starts-with NAME
+//   expect solvable [RECORDING]   print solvable [RECORDING]
 //   picture FILE [WIDTHxHEIGHT [FRAMES]]   same-as-game [WIDTHxHEIGHT [FRAMES]]
+//   compare FILE A B [WIDTHxHEIGHT [FRAMES]]   (A, B: TECHNIQUE, TECHNIQUE/PRESET or /PRESET)
 //   wish WHERE LUX [RADIUS]   keep PATH...   solve   forget-wishes   expect wishes met|missed
-//   print changes|hash|history|lights|left|nodes|warnings|wishes   print render-line [WIDTHxHEIGHT [FRAMES]]
+//   print changes|clips|hash|history|lights|left|nodes|warnings|wishes   print render-line [WIDTHxHEIGHT
+//   [FRAMES]]
 //
 // Files are found from the working directory. # begins a comment.
 class EditScript {
   public:
+    // Whether a recorded session still solves the scene, and how, in one line. An empty recording: the one
+    // that belongs to it. Throws InputError where there is none, Error(no_gl).
+    struct Solved {
+        bool solved = false;
+        std::string words;
+    };
+    using Solver = std::function<Solved(const EditSession&, const std::filesystem::path& recording)>;
+    // For `expect solvable` and `print solvable`; without one they are refused.
+    void set_solver(Solver solver) { solver_ = std::move(solver); }
+
     // `print` takes lines of output. The settings are the pictures'.
     EditScript(SessionOptions options, const Settings& settings,
                std::function<void(const std::string&)> print);
@@ -58,6 +74,14 @@ class EditScript {
     // Throws InputError with the usage if a line does not have `low` to `high` words.
     static void expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high,
                              const char* usage);
+    // [WIDTHxHEIGHT [FRAMES]] from word `at` on.
+    static CheckedFrames frames_in(const std::vector<std::string>& words, std::size_t at);
+    void compare(const std::vector<std::string>& words);  // edit_script_sides.cpp
+    // edit_script_clips.cpp
+    void show_clip(const std::vector<std::string>& words);
+    void expect_clip(const std::vector<std::string>& words);
+    void print_clips();
+    Solved solve(const std::vector<std::string>& words);  // WHAT solvable [RECORDING]
     // edit_script_wishes.cpp
     bool run_wishes(const std::vector<std::string>& words);  // false: the line is about something else
     WishSolution solution();
@@ -67,6 +91,7 @@ class EditScript {
     EditSession session_;
     const Settings& settings_;
     std::function<void(const std::string&)> print_;
+    Solver solver_;
     std::vector<std::string> gathered_;  // of begin
     WhyLight why_;
     std::vector<LightWish> wishes_;

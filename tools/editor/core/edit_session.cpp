@@ -254,6 +254,18 @@ void EditSession::set_pose(const workbench::CameraPose& pose) {
     s.app.world().insert(s.eye, CameraComponent{workbench::camera_of(pose)});
 }
 
+void EditSession::show_moment(const std::optional<std::string>& clip, double seconds) {
+    state_->world.show_moment(clip, seconds);
+}
+
+double EditSession::moment() const {
+    return state_->app.time().moment;
+}
+
+const std::optional<std::string>& EditSession::shown_clip() const {
+    return state_->world.clip();
+}
+
 workbench::CameraPose EditSession::file_pose() const {
     const EditModel& model = state_->history.model();
     const std::string& wanted = state_->options.view.camera;

@@ -113,6 +113,14 @@ class EditSession {
     workbench::CameraPose file_pose() const;
     ecs::Entity eye() const;  // the entity that is View::camera
 
+    // --- the moment that is shown, which is in no file either ---
+
+    // That second of a clip, by its name or number; "none": of none; null: of the one that the file begins
+    // with. Another file is shown at its beginning. Throws InputError for a clip that is none.
+    void show_moment(const std::optional<std::string>& clip, double seconds);
+    double moment() const;
+    const std::optional<std::string>& shown_clip() const;
+
     // --- commands ---
 
     // A line: a command (command.h), or undo [N], redo [N], go-to ROW, select PATH..., adopt. Throws

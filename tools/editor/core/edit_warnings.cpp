@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "lanthorn/core/colour.h"
+#include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
 #include "tools/editor/core/light_units.h"
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/operation.h"
+#include "tools/editor/core/scene_clips.h"
 
 namespace lanthorn::editor {
 
@@ -33,6 +35,7 @@ class Finder {
 
     std::vector<EditWarning> run() {
         tell_files();
+        tell_clip();
         tell_guest();
         tell_lights();
         tell_materials();
@@ -52,6 +55,18 @@ class Finder {
         }
         for (const std::string& note : session_.notes()) {
             add("mended", note);
+        }
+    }
+
+    void tell_clip() {
+        const std::string named = named_clip(session_.world());
+        const std::vector<ClipRow> clips = clip_rows(session_);
+        if (!named.empty() && named != "none" && start_clip(session_, clips) == "none") {
+            add("clip",
+                clips.empty()
+                    ? fmt::format("the file begins with the clip '{}', and has no clips", named)
+                    : fmt::format("the file begins with the clip '{}', which is none of its clips", named),
+                kNone, clips.empty() ? std::string() : start_clip_line(session_, clips.front().key));
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/replay/content_hash.h"
+#include "lanthorn/runtime/interpolation.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
@@ -107,6 +108,9 @@ void EditWorld::load(SceneData scene, std::size_t own, EditModel& model, const w
     AssetStore& store = asset_store(app_.world());
     store = std::move(fresh);
     animation_ = view.animation;
+    clip_.reset();
+    playing_.clear();
+    app_.world().resource_mut<Time>().moment = 0;
     made_roots_ = std::move(made_roots);
     made_below_ = std::move(made_below);
     mesh_hashes_ = std::move(hashes);
@@ -167,6 +171,11 @@ void EditWorld::show(const EditModel& model) {
     }
     if (same_structure(before, model) && !alters_instances(before)) {
         put_values(before);
+        ecs::World& world = app_.world();
+        if (!clip_ && animation_.empty() && named_clip(world) != playing_) {
+            world.resource_mut<SimulatedPose>().restore(SimulatedPose::Poses(world));
+            play_wanted();
+        }
         return;
     }
     destroy_all();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,11 @@ class EditWorld {
     // Shows another model of the same file. Values are put in place: O(nodes) to find them. Where nodes came,
     // went or were put under others all entities are made again: O(nodes).
     void show(const EditModel& model);
+    // That second of a clip of the file from the next frame on; `clip` as play_clip() takes it, null: what
+    // the file begins with. What another clip moved stands as the model has it, materials aside. Throws
+    // InputError for a clip that is none; nothing has changed then.
+    void show_moment(const std::optional<std::string>& clip, double seconds);
+    const std::optional<std::string>& clip() const { return clip_; }
     // What is lent is another light: nodes behind the first `own` of `scene`, or none. O(entities).
     void lend(const SceneData& scene, std::size_t own);
 
@@ -65,6 +71,7 @@ class EditWorld {
     void spawn_guests();
     void put_skins();
     void put_clips();
+    void play_wanted();  // the clip that is asked for, or that the file names
     void put_node(ecs::Entity e, std::uint32_t node);
     void put_extras(ecs::Entity e, const std::string& extras, const ecs::EntityNames& names);
     ecs::EntityNames names() const;
@@ -77,6 +84,8 @@ class EditWorld {
     SceneHandle scene_;
     AssetHold<SceneAsset> held_;
     std::string animation_, source_;
+    std::optional<std::string> clip_;                     // asked for instead of animation_
+    std::string playing_;                                 // as play_clip() took it
     std::vector<std::uint32_t> made_roots_;               // importer's nodes without a parent
     std::vector<std::vector<std::uint32_t>> made_below_;  // by loaded node: those that the importer made
     std::vector<Guest> guests_;

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "lanthorn/animation/animation_player.h"
+#include "lanthorn/core/error.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/runtime/interpolation.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
@@ -253,7 +255,41 @@ void EditWorld::put_clips() {
         return;
     }
     world.add(first, AnimationSet{scene.clips, by_loaded});
-    play_clip(world, animation_, source_);
+    play_wanted();
+}
+
+void EditWorld::play_wanted() {
+    ecs::World& world = app_.world();
+    const std::string asked = clip_.value_or(animation_);
+    playing_ = asked.empty() ? named_clip(world) : asked;
+    for (const ecs::Entity e : world.query<ecs::With<AnimationPlayer>>().entities()) {
+        world.remove<AnimationPlayer>(e);
+    }
+    try {
+        play_clip(world, asked, source_);
+    } catch (const InputError&) {
+        if (!asked.empty()) {
+            throw;
+        }
+        // What the file names is none of its clips: nothing plays, and a warning says so.
+    }
+}
+
+void EditWorld::show_moment(const std::optional<std::string>& clip, double seconds) {
+    ecs::World& world = app_.world();
+    world.resource_mut<SimulatedPose>().restore(SimulatedPose::Poses(world));
+    world.resource_mut<Time>().moment = std::max(0.0, seconds);
+    if (clip == clip_) {
+        return;
+    }
+    const std::optional<std::string> before = std::exchange(clip_, clip);
+    try {
+        play_wanted();
+    } catch (const InputError&) {
+        clip_ = before;
+        play_wanted();
+        throw;
+    }
 }
 
 }  // namespace lanthorn::editor

@@ -63,7 +63,7 @@ void make_cold(App& app) {
     world.insert_resource(FrameScene());
 }
 
-FrameHashes editor_frames(EditSession& session, const Settings& settings, const CheckedFrames& what) {
+void begin_cold(EditSession& session, const Settings& settings, ivec2 size) {
     App& app = session.app();
     if (!app.has("render")) {
         gi::add_picture_plugins(app, settings);
@@ -71,13 +71,17 @@ FrameHashes editor_frames(EditSession& session, const Settings& settings, const 
         gi::apply_settings(app, settings);
     }
     make_cold(app);
-    app.view().size = what.size;
+    app.view().size = size;
     app.view().whole = ivec2(0);
     app.view().camera = session.eye();
+}
+
+FrameHashes editor_frames(EditSession& session, const Settings& settings, const CheckedFrames& what) {
+    begin_cold(session, settings, what.size);
     for (int i = 0; i < what.frames; ++i) {
-        app.show();
+        session.app().show();
     }
-    return frame_hashes(app);
+    return frame_hashes(session.app());
 }
 
 FrameHashes game_frames(const EditSession& session, const Settings& settings, const CheckedFrames& what) {
@@ -85,11 +89,12 @@ FrameHashes game_frames(const EditSession& session, const Settings& settings, co
     workbench::SceneView view = session.view();
     SceneData scene = workbench::load_scene(copy.file().string(), view);
     view.camera = workbench::add_pose_camera(scene, session.pose());
+    view.animation = session.shown_clip().value_or(view.animation);
     ShownScene shown(std::move(scene), view);
     gi::add_picture_plugins(shown.app(), settings);
     shown.app().view().size = what.size;
     for (int i = 0; i < what.frames; ++i) {
-        shown.show_at(0);
+        shown.show_at(session.moment());
     }
     return frame_hashes(shown.app());
 }
@@ -116,10 +121,11 @@ std::string render_line(const EditSession& session, const Settings& settings, co
     const workbench::SceneView& view = session.view();
     const std::string path = session.path().empty() ? "room.glb" : session.path().string();
     std::string line = fmt::format(
-        "lanthorn render {} --pose={} --size {}x{} --frames 1 --warmup {} --time 0", in_quotes(path),
-        workbench::text_of(session.pose()), what.size.x, what.size.y, what.frames - 1);
+        "lanthorn render {} --pose={} --size {}x{} --frames 1 --warmup {} --time {}", in_quotes(path),
+        workbench::text_of(session.pose()), what.size.x, what.size.y, what.frames - 1, session.moment());
+    const std::string animation = session.shown_clip().value_or(view.animation);
     const std::pair<const char*, const std::string*> texts[] = {{"--camera", &view.camera},
-                                                                {"--animation", &view.animation},
+                                                                {"--animation", &animation},
                                                                 {"--environment", &view.environment},
                                                                 {"--variant", &view.variant}};
     for (const auto& [option, text] : texts) {

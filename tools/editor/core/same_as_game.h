@@ -34,10 +34,12 @@ FrameHashes frame_hashes(const App& app);
 // App's OpenGL objects goes, so whoever holds any of them lets go before.
 void make_cold(App& app);
 
-// All that follows needs a current OpenGL context that outlives the session, and moment 0 of its App.
+// All that follows needs a current OpenGL context that outlives the session. The moment is the session's.
 
-// The session's world, seen from its pose, from cold. Picture plugins are added to its App if it has none;
-// its first view has this size then.
+// The next frame of the session's App is one from cold, of its world as it is seen from its pose. Picture
+// plugins are added to it if it has none; its first view has this size then.
+void begin_cold(EditSession& session, const Settings& settings, ivec2 size);
+// So many of them.
 FrameHashes editor_frames(EditSession& session, const Settings& settings, const CheckedFrames& what);
 // A fresh App of the document's bytes, likewise.
 FrameHashes game_frames(const EditSession& session, const Settings& settings, const CheckedFrames& what);

@@ -109,7 +109,10 @@ void view_menu(EditorState& state) {
             ImGui::Separator();
         }
     }
-    item("Keep this picture beside (A|B)", Act::compare, state);
+    if (ImGui::BeginMenu("Beside (A|B)", state.session.is_open())) {
+        draw_compare_menu(state);
+        ImGui::EndMenu();
+    }
     item("Copy the command that renders this", Act::copy_render_line, state);
     item("Hold the exposure", Act::lock_exposure, state);
     if (ImGui::MenuItem("Refine what is still", nullptr, &state.refines)) {
@@ -164,6 +167,7 @@ void menus(EditorState& state) {
         item("Save...", Act::save, state, open);
         item("Save as...", Act::save_as, state, open);
         ImGui::Separator();
+        item("Still solvable?", Act::still_solvable, state, open && state.can_solve);
         item("Keep a picture of the window", Act::screenshot, state);
         item("Quit", Act::quit, state);
     });
@@ -260,6 +264,23 @@ void draw_toolbar(EditorState& state) {
     const bool wide = !state.layout.narrow;
     combo("##view", state.picture.view(), (wide ? 92 : 82) * u, "what is shown (Alt+1 to 9)",
           [&] { view_menu(state); });
+    // A small window with large text goes without: the menu View has it, too.
+    if (ImGui::GetIO().DisplaySize.x > 900 * u) {
+        const bool on = state.other_side != nullptr;
+        if (on) {
+            ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0x2f, 0x6a, 0xa8, 255));
+        }
+        if (ImGui::Button("A|B")) {
+            state.act(Act::compare_menu);
+        }
+        if (on) {
+            ImGui::PopStyleColor();
+        }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("another technique, preset or time beside this picture (B, Shift+B)");
+        }
+        ImGui::SameLine();
+    }
     // A small window with large text goes without: key L does the same.
     const bool roomy = ImGui::GetIO().DisplaySize.x > 620 * u;
     const bool held = state.exposure_locked && roomy;
@@ -342,7 +363,10 @@ void draw_status(EditorState& state, double now) {
                               : "saved",
           dirty ? colour::chosen : colour::faint, "edits since the file was opened");
     const PictureFacts& facts = state.picture.facts();
-    field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");
+    const bool two = state.picture.other_is_new();
+    field(two ? fmt::format("{:.0f} + {:.0f} ms", state.picture.other_facts().ms, facts.ms)
+              : fmt::format("{:.0f} ms", facts.ms),
+          colour::words, two ? "of A and of B in the last 3D frame" : "of the last 3D frame");
     field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
     const bool measured = state.error && state.error_of_frame == state.picture.frames();
     if (!measured && state.estimate) {
@@ -371,6 +395,19 @@ void draw_status(EditorState& state, double now) {
             field(fmt::format("{} {} lx {}", verdict.contract.name, shown_number(verdict.mean, 3),
                               verdict.kept ? "ok" : "broken"),
                   verdict.kept ? colour::good : colour::bad, contract_words(verdict).c_str());
+        }
+    }
+    if (state.solve.solved) {
+        const bool old = state.solve_version != state.session.version();
+        const std::string words =
+            std::string(old ? "was " : "") + (*state.solve.solved ? "solvable" : "not solvable");
+        if (field(words,
+                  old                   ? colour::faint
+                  : *state.solve.solved ? colour::good
+                                        : colour::bad,
+                  state.solve.words.c_str())) {
+            state.drawer_tab = kSolveTab;
+            state.splits.drawer_open = true;
         }
     }
     std::size_t count = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,9 +20,7 @@ namespace lanthorn::edit_window {
 ChildProgram::ChildProgram(std::function<void()> ended) : ended_(std::move(ended)) {}
 
 ChildProgram::~ChildProgram() {
-    if (running_) {
-        ::kill(child_, SIGTERM);
-    }
+    stop();
     if (thread_.joinable()) {
         thread_.join();
     }
@@ -36,21 +35,28 @@ void ChildProgram::remove_folder() {
     }
 }
 
-std::filesystem::path ChildProgram::make_folder() {
+std::filesystem::path ChildProgram::make_folder(const std::string& pattern) {
     remove_folder();
-    std::string name = (std::filesystem::temp_directory_path() / "lanthorn-play-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / pattern).string();
     if (::mkdtemp(name.data()) == nullptr) {
-        throw InputError(name, "", "cannot be made: a folder for the level that is played");
+        throw InputError(name, "", "cannot be made: a folder for a program's files");
     }
     folder_ = name;
     return folder_;
 }
 
-void ChildProgram::start(const std::vector<std::string>& command) {
+void ChildProgram::stop() {
+    if (running_) {
+        ::kill(child_, SIGTERM);
+    }
+}
+
+void ChildProgram::start(const std::vector<std::string>& command, int niceness) {
     if (thread_.joinable()) {
         thread_.join();
     }
     std::vector<char*> argv;
+    argv.reserve(command.size() + 1);
     for (const std::string& word : command) {
         argv.push_back(const_cast<char*>(word.c_str()));
     }
@@ -64,6 +70,9 @@ void ChildProgram::start(const std::vector<std::string>& command) {
     ::posix_spawn_file_actions_destroy(&actions);
     if (problem != 0) {
         throw InputError(command.front(), "", fmt::format("cannot be run: {}", std::strerror(problem)));
+    }
+    if (niceness > 0) {
+        ::setpriority(PRIO_PROCESS, static_cast<id_t>(child_), niceness);
     }
     running_ = true;
     thread_ = std::jthread([this] { wait(); });

@@ -1,4 +1,4 @@
-// A program that runs beside the editor: the game, while it is played.
+// A program that runs beside the editor: the game, while it is played, say.
 #pragma once
 
 #include <sys/types.h>
@@ -23,10 +23,13 @@ class ChildProgram {
     ChildProgram(const ChildProgram&) = delete;
     ChildProgram& operator=(const ChildProgram&) = delete;
 
-    // A folder of its own for files of the next program; it goes when that has ended. Throws InputError.
-    std::filesystem::path make_folder();
-    // Nothing may be running. Throws InputError where there is no such program.
-    void start(const std::vector<std::string>& command);
+    // A folder of its own for files of the next program, until there is another or this object goes. `name`:
+    // as mkdtemp() takes it. Throws InputError.
+    std::filesystem::path make_folder(const std::string& name);
+    // Nothing may be running. `niceness`: 0..19, how far it stands back. Throws InputError where there is no
+    // such program.
+    void start(const std::vector<std::string>& command, int niceness = 0);
+    void stop();  // asks it to end
     bool running() const { return running_; }
     // Once, after it has ended: empty where it went well, else why not, one line.
     std::optional<std::string> take_end();

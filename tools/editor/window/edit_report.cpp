@@ -56,6 +56,17 @@ void EditReport::line(const EditorState& state) {
     line["picture"] = {facts.size.x, facts.size.y};
     line["changed"] = facts.changed;
     line["ms"] = facts.ms;
+    if (state.other_side) {
+        const PictureFacts& other = state.picture.other_facts();
+        line["other_side"] = {{"technique", state.kept_picture() != nullptr ? "" : other.technique},
+                              {"preset", other.preset},
+                              {"ms", other.ms},
+                              {"new", state.picture.other_is_new()},
+                              {"divider", state.divider}};
+    }
+    line["solving"] = state.solving;
+    line["solve"] = state.solve.words;
+    line["moment"] = {state.session.moment(), state.timeline.playing};
     line["longest_ms"] = facts.longest_ms;
     line["ui_ms"] = state.figures.ui_ms;
     line["open"] = state.session.is_open() ? state.session.path().string() : "";

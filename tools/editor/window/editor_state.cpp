@@ -25,6 +25,17 @@ void EditorState::select(std::vector<std::uint32_t> nodes) {
     desk.act([nodes = std::move(nodes)](editor::EditSession& edited) { edited.select(nodes); });
 }
 
+const KeptPicture* EditorState::kept_picture() const {
+    return other_side && other_side->kept ? &*other_side->kept : nullptr;
+}
+
+void EditorState::compare_as(editor::DrawnAs as) {
+    compare_with = as.technique();
+    OtherSide side;
+    side.as = std::move(as);
+    compare(std::make_shared<const OtherSide>(std::move(side)));
+}
+
 void EditorState::say(const std::string& line, double now) {
     toast = line;
     toast_until = now + kToast;
@@ -53,6 +64,8 @@ void EditorState::read() {
     read_version = session.version();
     lights = editor::lights_table(session.model());
     nodes = session.model().node_count();
+    timeline.clips = editor::clip_rows(session);
+    timeline.starts_with = editor::start_clip(session, timeline.clips);
     if (!session.in_gesture()) {
         warnings = editor::edit_warnings(session);
         dirty = session.is_dirty();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,17 +20,21 @@
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/recovery_log.h"
 #include "tools/editor/window/beside_shown.h"
+#include "tools/editor/window/card_pictures.h"
 #include "tools/editor/window/command_desk.h"
 #include "tools/editor/window/handles.h"
 #include "tools/editor/window/kept_views.h"
 #include "tools/editor/window/keymap.h"
 #include "tools/editor/window/layout.h"
+#include "tools/editor/window/other_side.h"
 #include "tools/editor/window/pace.h"
 #include "tools/editor/window/picture.h"
 #include "tools/editor/window/played_shown.h"
 #include "tools/editor/window/refinement.h"
 #include "tools/editor/window/rest_watch.h"
+#include "tools/editor/window/solve_shown.h"
 #include "tools/editor/window/style.h"
+#include "tools/editor/window/timeline_shown.h"
 #include "tools/editor/window/value_field.h"
 #include "tools/editor/window/why_shown.h"
 #include "tools/editor/window/wishes_shown.h"
@@ -40,14 +45,16 @@ namespace lanthorn::edit_window {
 enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
 
 // What the drawer below the picture shows.
-enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kWishesTab, kSettingsTab, kPlayedTab, kBesideTab };
-
-// A picture that is kept to be compared with.
-struct KeptPicture {
-    gpu::Texture texture;
-    std::string words;  // what it was drawn as
-    std::uint64_t version = 0;
-    workbench::CameraPose pose;
+enum DrawerTab {
+    kLightsTab,
+    kWarningsTab,
+    kWhyTab,
+    kWishesTab,
+    kTimelineTab,
+    kSolveTab,
+    kSettingsTab,
+    kPlayedTab,
+    kBesideTab
 };
 
 // What a light gives to this view and costs in a frame of it.
@@ -114,14 +121,28 @@ struct EditorState {
     Box game_button;  // where the badge asks for it
     std::optional<WhyShown> why;
     WishesShown wishes;
+    TimelineShown timeline;
+    bool can_solve = false;  // the program knows how to find out
+    bool solving = false;    // it is being found out
+    SolveShown solve;
+    std::uint64_t solve_version = 0;  // that it is of
     // How wrong the indirect light is: of the picture after so many frames.
     std::optional<gi::EstimatedError> estimate;  // local error of a picture that is not measured yet
     std::optional<editor::ErrorMap> error;
     int error_of_frame = -1;
     bool error_shown = false;  // as a tint over the picture
-    // A|B: what stands left of the divider, which is at that share of the picture's width.
-    std::optional<KeptPicture> kept_picture;
+    // A|B: what stands left of the divider, which is at that share of the picture's width. Null: nothing.
+    std::shared_ptr<const OtherSide> other_side;
     float divider = 0.5f;
+    std::string compare_with = "coarse-path";  // by which technique, if it is asked for without a name
+    Box compare_button;                        // where A's badge asks for another
+    bool compare_menu = false;                 // it has been asked for
+    const KeptPicture* kept_picture() const;   // null: none stands there
+    // How the picture is drawn, as a side of A|B.
+    editor::DrawnAs drawn_as() const { return {settings, preset}; }
+    // Beside the picture of now, that; null: nothing.
+    std::function<void(std::shared_ptr<const OtherSide>)> compare;
+    void compare_as(editor::DrawnAs as);
     const RestWatch* rest_watch = nullptr;
     // By node of a light: of gains_version, and what it costs of costs_version from costs_pose.
     std::map<std::uint32_t, LightGain> gains;
@@ -150,6 +171,7 @@ struct EditorState {
     std::vector<std::filesystem::path> recent;   // files
     std::vector<editor::LeftLog> left_logs;      // of other runs
     std::vector<std::filesystem::path> levels;   // that are offered at the start
+    CardPictures cards;                          // of both
     std::string open_folder, save_name;          // of the sheets
     std::optional<editor::TextChanges> changes;  // of the save sheet
     bool playing = false;                        // the game runs beside

@@ -51,6 +51,8 @@ EditorWindow::State::State(EditorOptions given)
       alarm([this] { window.request_frame(); }),
       rest_watch([this] { window.request_frame(); }),
       wish_solver([this] { window.request_frame(); }),
+      solver([this] { window.request_frame(); }),
+      solver_alarm([this] { window.request_frame(); }),
       game([this] { window.request_frame(); }),
       costs_alarm([this] { window.request_frame(); }) {}
 
@@ -70,8 +72,16 @@ void EditorWindow::State::begin() {
     editor->refines = options.refine;
     editor->splits.drawer_open = !lay_out(options.size, 1, {}).low;
     editor->act = [this](Act what) { act(what); };
+    editor->compare = [this](std::shared_ptr<const OtherSide> with) {
+        editor->desk.act(
+            [this, with = std::move(with)](editor::EditSession&) { viewport->compare(with, now()); });
+        settling = kSettlingFrames;
+    };
     editor->rest_watch = &rest_watch;
     editor->levels = options.levels;
+    editor->cards = CardPictures(options.recent.empty() ? options.recent
+                                                        : options.recent.parent_path() / "scene-pictures");
+    editor->can_solve = options.solve != nullptr;
     editor->left_logs = options.session.recovery.empty() ? std::vector<editor::LeftLog>()
                                                          : editor::left_logs(options.session.recovery);
     float scale_x = 1, scale_y = 1;
@@ -157,11 +167,12 @@ bool EditorWindow::turn() {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, size.x, size.y);
         s.draw_panels(false);
-        s.settling = std::max(0, s.settling - 1);
+        s.settling = std::max(e.cards.next_turn() ? 1 : 0, s.settling - 1);
     }
     s.follow_rest();
     s.follow_wishes();
     s.follow_play();
+    s.follow_solving();
     s.report.line(e);
     if (e.close) {
         s.window.close();
@@ -169,7 +180,7 @@ bool EditorWindow::turn() {
     const bool draws = e.pace.due() && s.session.is_open() && size.x > 0;
     s.set_alarm();
     s.asleep = !flies && s.settling == 0 && !draws && !s.refines_now() && !e.desk.waiting() &&
-               !s.input.dirty() && !e.close;
+               !s.input.dirty() && !e.close && !e.timeline.playing;
     if (!s.asleep) {
         s.window.request_frame();
     }

@@ -11,6 +11,7 @@
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/window/beside_shown.h"
 #include "tools/editor/window/played_shown.h"
+#include "tools/editor/window/solve_shown.h"
 
 namespace lanthorn::edit_window {
 
@@ -39,6 +40,13 @@ struct EditorOptions {
     // After that has ended: what it was at its beginning and at its end, from the folder of the level. Called
     // on a thread of its own; throws InputError where that cannot be said. Empty: nothing of it is offered.
     std::function<PlayedScene(const std::filesystem::path& folder)> played = {};
+    // Whether the scene can still be solved as somebody once solved it: writes what is needed into that
+    // folder and gives the command line that finds out; throws InputError where nobody has. Empty: nothing is
+    // solved.
+    std::function<std::vector<std::string>(const editor::EditSession&, const std::filesystem::path& folder)>
+        solve = {};
+    // What it has found so far, from the folder.
+    std::function<SolveShown(const std::filesystem::path& folder)> solve_found = {};
 };
 
 class EditorWindow {

@@ -85,7 +85,7 @@ void KeptViews::forget(const std::string& file) {
     std::erase_if(files_, [&](const auto& each) { return each.first == file; });
 }
 
-void ViewHistory::leave(const CameraPose& from, double now, bool jump) {
+void ViewHistory::leave(const LookedAt& from, double now, bool jump) {
     if ((jump || now - moved_at_ > kRested) && (before_.empty() || !(before_.back() == from))) {
         before_.push_back(from);
         if (before_.size() > kMost) {
@@ -96,29 +96,29 @@ void ViewHistory::leave(const CameraPose& from, double now, bool jump) {
     moved_at_ = jump ? -1e9 : now;
 }
 
-std::optional<CameraPose> ViewHistory::back(const CameraPose& here, double now) {
+std::optional<LookedAt> ViewHistory::back(const LookedAt& here, double now) {
     while (!before_.empty() && before_.back() == here) {
         before_.pop_back();
     }
     if (before_.empty()) {
         return std::nullopt;
     }
-    const CameraPose pose = before_.back();
+    const LookedAt view = before_.back();
     before_.pop_back();
     after_.push_back(here);
     moved_at_ = now - 2 * kRested;  // what comes next leaves this view
-    return pose;
+    return view;
 }
 
-std::optional<CameraPose> ViewHistory::forth(const CameraPose& here, double now) {
+std::optional<LookedAt> ViewHistory::forth(const LookedAt& here, double now) {
     if (after_.empty()) {
         return std::nullopt;
     }
-    const CameraPose pose = after_.back();
+    const LookedAt view = after_.back();
     after_.pop_back();
     before_.push_back(here);
     moved_at_ = now - 2 * kRested;
-    return pose;
+    return view;
 }
 
 }  // namespace lanthorn::edit_window

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lanthorn/workbench/load_scene.h"
+#include "tools/editor/window/other_side.h"
 
 namespace lanthorn::edit_window {
 
@@ -42,16 +43,16 @@ class ViewHistory {
     static constexpr double kRested = 0.5;     // seconds that a view must have stood to be one
     static constexpr std::size_t kMost = 100;  // views
 
-    // The camera goes elsewhere from a pose. `now`: seconds; `jump`: at once, and not by a hand that has
-    // moved it a moment ago and goes on.
-    void leave(const workbench::CameraPose& from, double now, bool jump);
-    // The view before and the one after; `here` is where one looks from. Nothing where there is none.
-    std::optional<workbench::CameraPose> back(const workbench::CameraPose& here, double now);
-    std::optional<workbench::CameraPose> forth(const workbench::CameraPose& here, double now);
+    // The camera goes elsewhere from a view, or another thing stands beside it. `now`: seconds; `jump`: at
+    // once, and not by a hand that has moved it a moment ago and goes on.
+    void leave(const LookedAt& from, double now, bool jump);
+    // The view before and the one after; `here` is the one of now. Nothing where there is none.
+    std::optional<LookedAt> back(const LookedAt& here, double now);
+    std::optional<LookedAt> forth(const LookedAt& here, double now);
     void clear() { *this = {}; }
 
   private:
-    std::vector<workbench::CameraPose> before_, after_;
+    std::vector<LookedAt> before_, after_;
     double moved_at_ = -1e9;
 };
 

@@ -70,9 +70,12 @@ constexpr KeyBinding kStandard[] = {
     {Act::check_game, GLFW_KEY_G, 0, "whether the game draws the same"},
     {Act::why_light, GLFW_KEY_I, 0, "why this light is here, under the pointer"},
     {Act::compare, GLFW_KEY_B, 0, "keep this picture beside those that follow (A|B)"},
+    {Act::compare_technique, GLFW_KEY_B, kShift, "another technique beside this one (A|B), both of now"},
     {Act::copy_render_line, GLFW_KEY_C, kCtrl | kShift, "copy the command that renders this view"},
     {Act::review, GLFW_KEY_E, kCtrl, "write a page of what the edits change, before and after"},
     {Act::play, GLFW_KEY_F5, 0, "play from here; Esc comes back"},
+    {Act::still_solvable, GLFW_KEY_F5, kShift, "whether the level can still be solved; again: no more"},
+    {Act::play_clip, GLFW_KEY_SPACE, 0, "play or pause the clip that the timeline shows"},
     {Act::screenshot, GLFW_KEY_F12, 0, "keep a picture of the window"},
 };
 

@@ -65,9 +65,13 @@ enum class Act {
     check_game,
     why_light,
     compare,
+    compare_technique,
+    compare_menu,
     review,
     copy_render_line,
     play,
+    play_clip,
+    still_solvable,
     move_now,  // at once, without a button that is held
     rotate_now,
     scale_now,

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "tools/editor/window/lines.h"
 #include "tools/editor/window/panels.h"
@@ -114,6 +116,38 @@ void gain_cells(const EditorState& state, const LightRow& row) {
                 : "of the light that falls on what is seen here");
 }
 
+// A column, and how many units it needs. The smaller its rank, the longer it stays where there is little
+// room: all of it is in the inspector, too.
+struct Column {
+    const char* name;
+    float units;
+    int rank;
+};
+constexpr std::array<Column, 9> kColumns = {{{"name", 92, 0},
+                                             {"cd", 58, 1},
+                                             {"lm", 62, 5},
+                                             {"lx at 1 m", 68, 6},
+                                             {"K", 50, 3},
+                                             {"range m", 62, 7},
+                                             {"ms", 48, 4},
+                                             {"share", 52, 2},
+                                             {"kind", 48, 8}}};
+
+// Which of them so many units have room for.
+std::array<bool, kColumns.size()> fitting(float units) {
+    std::array<bool, kColumns.size()> fits{};
+    float left = units - 64;  // solo, mute and the scroll bar
+    for (int rank = 0; rank < static_cast<int>(kColumns.size()); ++rank) {
+        const auto found = std::ranges::find(kColumns, rank, &Column::rank);
+        left -= found->units;
+        if (left < 0 && rank > 1) {
+            break;
+        }
+        fits.at(static_cast<std::size_t>(found - kColumns.begin())) = true;
+    }
+    return fits;
+}
+
 }  // namespace
 
 void draw_lights_table(EditorState& state) {
@@ -121,26 +155,24 @@ void draw_lights_table(EditorState& state) {
         ImGui::TextDisabled("No light in this file. Add > Lamp puts one in.");
         return;
     }
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
-                                       ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable |
-                                       ImGuiTableFlags_SizingStretchProp;
-    // Whole numbers in every column: a narrow drawer is scrolled.
-    const float inner = std::max(ImGui::GetContentRegionAvail().x, 640 * state.unit);
-    if (!ImGui::BeginTable("lights", 10, kFlags, {0, 0}, inner)) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const std::array<bool, kColumns.size()> fits = fitting(room.x / state.unit);
+    // Whole rows: what would be cut at the lower edge is scrolled to.
+    const float size = ImGui::GetFrameHeight(), row_height = size + 2 * ImGui::GetStyle().CellPadding.y;
+    const float rows = std::max(1.0f, std::floor((room.y - row_height) / row_height));
+    if (!ImGui::BeginTable("lights", 1 + static_cast<int>(kColumns.size()), kFlags,
+                           {0, (1 + rows) * row_height})) {
         return;
     }
-    const float size = ImGui::GetFrameHeight();
-    ImGui::TableSetupScrollFreeze(2, 1);
+    ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 2 * size + 4);
-    ImGui::TableSetupColumn("name", 0, 2.2f);
-    ImGui::TableSetupColumn("cd", 0, 1.2f);
-    ImGui::TableSetupColumn("lm", 0, 1.2f);
-    ImGui::TableSetupColumn("lx at 1 m", 0, 1.2f);
-    ImGui::TableSetupColumn("K", 0, 1);
-    ImGui::TableSetupColumn("range m", 0, 1.1f);
-    ImGui::TableSetupColumn("ms", 0, 0.9f);
-    ImGui::TableSetupColumn("share", 0, 0.9f);
-    ImGui::TableSetupColumn("kind", 0, 0.9f);
+    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+        ImGui::TableSetupColumn(kColumns.at(i).name,
+                                fits.at(i) ? ImGuiTableColumnFlags_None : ImGuiTableColumnFlags_Disabled,
+                                kColumns.at(i).units);
+    }
     ImGui::TableHeadersRow();
     int id = 0;
     for (const LightRow& row : state.lights) {

@@ -22,6 +22,12 @@ void draw_why(EditorState& state);
 // How bright it shall be where, and what comes nearest to it.
 void draw_wishes(EditorState& state);
 
+// Whether the scene can still be solved.
+void draw_solving(EditorState& state);
+// Clips, and the moment of one that is shown.
+void draw_timeline(EditorState& state);
+// What may stand beside the picture (A|B): within a menu.
+void draw_compare_menu(EditorState& state);
 // What was expected beside what was found.
 void draw_beside(EditorState& state);
 // What was changed in play.

@@ -65,16 +65,19 @@ ImageF three(ImageF image) {
     return wide;
 }
 
-ImageF debug_picture(App& app, const std::string& name) {
+ImageF debug_picture(App& app, ViewId view, const std::string& name) {
     const Renderer& renderer = app.world().resource<Renderer>();
-    gi::Technique& technique = gi::technique_of(app, ViewId::first);
-    const auto& entry = gi::technique_entry(app.world().resource<gi::ActiveTechnique>().kind);
+    const DrawnView& drawn = renderer.drawn(view);
+    gi::Technique& technique = gi::technique_of(app, view);
+    const auto& entry = gi::technique_entry(
+        view == ViewId::first ? app.world().resource<gi::ActiveTechnique>().kind
+                              : app.world().resource<gi::ViewTechniques>().entries.at(view).active.kind);
     const auto found = std::ranges::find(entry.debug_views, name, &gi::DebugView::name);
     if (found == entry.debug_views.end()) {
         return {};
     }
-    const gpu::Texture texture = technique.debug_view(
-        name, renderer.frame->inputs(app.world().resource<FrameScene>(), *renderer.timer));
+    const gpu::Texture texture =
+        technique.debug_view(name, drawn.frame->inputs(*drawn.scene, *renderer.timer));
     if (!texture) {
         return {};
     }
@@ -94,8 +97,8 @@ vec3 heat_colour(float share) {
     return workbench::heat(share);
 }
 
-ImageF lux_of(App& app) {
-    const render::FrameRenderer& frame = *app.world().resource<Renderer>().frame;
+ImageF lux_of(App& app, ViewId view) {
+    const render::FrameRenderer& frame = app.world().resource<Renderer>().of(view);
     const ImageF indirect = frame.read(Aov::indirect), direct = frame.read(Aov::direct);
     const ImageF albedo = frame.read(Aov::albedo), depth = frame.read(Aov::depth);
     ImageF lux{depth.width, depth.height, 1, {}, {}};
@@ -113,11 +116,11 @@ ImageF lux_of(App& app) {
 }
 
 gpu::Texture Picture::copy() const {
-    const ivec2 size(shown_.texture.size());
+    const ivec2 size(first_.shown.texture.size());
     gpu::Texture result = gpu::Texture::make_2d(GL_RGBA8, size);
     result.set_filter(GL_LINEAR, GL_LINEAR);
-    glCopyImageSubData(shown_.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, result.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                       size.x, size.y, 1);
+    glCopyImageSubData(first_.shown.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, result.id(), GL_TEXTURE_2D, 0, 0,
+                       0, 0, size.x, size.y, 1);
     return result;
 }
 
@@ -131,10 +134,11 @@ void Picture::fit(Target& target, ivec2 size) {
     target.framebuffer = gpu::Framebuffer({&target.texture}, nullptr);
 }
 
-void Picture::show_other(App& app, Target& target) {
-    const render::FrameRenderer& frame = *app.world().resource<Renderer>().frame;
+void Picture::show_view(App& app, ViewId view, Target& target) {
+    const render::FrameRenderer& frame = app.world().resource<Renderer>().of(view);
     ImageF image;
-    scale_ = 0;
+    const bool is_first = view == ViewId::first;
+    scale_ = is_first ? 0 : scale_;
     if (view_ == "indirect") {
         image = workbench::shown_as(frame.read(Aov::indirect), gi::DebugView::Shown::light);
     } else if (view_ == "direct") {
@@ -149,13 +153,15 @@ void Picture::show_other(App& app, Target& target) {
     } else if (view_ == "depth") {
         image = workbench::shown_as(three(frame.read(Aov::depth)), gi::DebugView::Shown::amount);
     } else if (view_ == "lux") {
-        ImageF lux = lux_of(app);
-        std::vector<float> amounts = lux.pixels;
-        const auto high =
-            amounts.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(amounts.size()));
-        std::ranges::nth_element(amounts, high);
-        // From a thousandth of the brightest hundredth up, by its logarithm: eyes see ratios.
-        scale_ = std::max(1e-6, static_cast<double>(*high));
+        ImageF lux = lux_of(app, view);
+        if (is_first) {
+            std::vector<float> amounts = lux.pixels;
+            const auto high =
+                amounts.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(amounts.size()));
+            std::ranges::nth_element(amounts, high);
+            // From a thousandth of the brightest hundredth up, by its logarithm: eyes see ratios.
+            scale_ = std::max(1e-6, static_cast<double>(*high));
+        }
         image = three(std::move(lux));
         for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
             const float share = image.pixels[i] / static_cast<float>(scale_);
@@ -163,7 +169,7 @@ void Picture::show_other(App& app, Target& target) {
             std::copy_n(&colour.x, 3, &image.pixels[i]);
         }
     } else {
-        image = debug_picture(app, view_);
+        image = debug_picture(app, view, view_);
     }
     if (image.pixels.empty()) {
         target.texture.clear(vec4(0, 0, 0, 1));
@@ -176,7 +182,30 @@ void Picture::show_other(App& app, Target& target) {
                         bytes.data());
 }
 
-double Picture::draw(App& app, ivec2 size, ivec2 whole, const std::function<void()>& breathe) {
+void Picture::forget_other() {
+    other_ = {};
+    other_is_new_ = false;
+}
+
+double Picture::take(Side& side) {
+    const ivec2 seen(side.next.texture.size());
+    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(seen.x) * static_cast<std::size_t>(seen.y));
+    glGetTextureImage(side.next.texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(4 * pixels.size()), pixels.data());
+    std::swap(side.shown, side.next);
+    const std::vector<std::uint32_t> before = std::exchange(side.pixels, std::move(pixels));
+    if (before.size() != side.pixels.size()) {
+        return 1;
+    }
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        other += before[i] != side.pixels[i] && differs(before[i], side.pixels[i]) ? 1 : 0;
+    }
+    return static_cast<double>(other) / static_cast<double>(std::max<std::size_t>(1, before.size()));
+}
+
+double Picture::draw(App& app, ivec2 size, ivec2 whole, std::optional<ViewId> other,
+                     const std::function<void()>& breathe) {
     using clock = std::chrono::steady_clock;
     const auto ms_since = [](clock::time_point from) {
         return std::chrono::duration<double, std::milli>(clock::now() - from).count();
@@ -185,58 +214,77 @@ double Picture::draw(App& app, ivec2 size, ivec2 whole, const std::function<void
     if (world.resource<render::RenderSettings>().upscale == render::Upscale::none) {
         whole = size;
     }
-    fit(next_, whole);
-    world.resource_mut<View>().size = size;
-    world.resource_mut<View>().whole = whole;
+    fit(first_.next, whole);
+    const View& looks = app.view();
+    app.view().size = size;
+    app.view().whole = whole;
+    for (const auto& [id, view] : std::as_const(app).world().resource<Views>().all()) {
+        View& beside = app.view(id);
+        beside.size = id == other ? size : ivec2(0);
+        beside.whole = whole;
+        beside.camera = looks.camera;
+        beside.placed = looks.placed;
+        beside.y_fov = looks.y_fov;
+    }
     PresentTarget& target = world.resource_mut<PresentTarget>();
-    target.framebuffer = next_.framebuffer.id();
+    target.framebuffer = first_.next.framebuffer.id();
     target.size = whole;
-    const auto begun = clock::now();
-    auto breath = begun;
-    double longest = 0, elsewhere = 0;
-    const bool finishes = gpu::draws_in_software();
+    auto breath = clock::now();
+    double longest = 0;
+    double ms[2] = {};  // of the first view and of the other; what both have in common counts for each
+    const bool finishes = gpu::draws_in_software() || other;
+    const Renderer& renderer = world.resource<Renderer>();
+    // The time since the last call is of the view that a pass is at work for.
+    const auto spend = [&] {
+        const double spent = ms_since(breath);
+        const auto at_work =
+            std::ranges::find_if(renderer.views, [](const auto& view) { return view->at_work; });
+        const bool shared = at_work == renderer.views.end();
+        ms[0] += shared || (*at_work)->id == ViewId::first ? spent : 0;
+        ms[1] += shared || (*at_work)->id != ViewId::first ? spent : 0;
+        longest = std::max(longest, spent);
+    };
     const auto pass_end = [&] {
         if (finishes) {
             // What is drawn waits in a queue till somebody asks for it: an answer behind it would wait, too.
             glFinish();
         }
-        longest = std::max(longest, ms_since(breath));
-        const auto paused = clock::now();
+        spend();
         if (breathe) {
             breathe();
         }
         breath = clock::now();
-        elsewhere += ms_since(paused);
     };
     {
         const gpu::PassEnd breathing(pass_end);
         app.show();
     }
-    if (view_ != "final") {
-        show_other(app, next_);
-    } else {
-        scale_ = 0;
+    scale_ = 0;
+    const auto show = [&](ViewId view, Side& side) {
+        if (view_ != "final") {
+            show_view(app, view, side.next);
+        } else if (view != ViewId::first) {
+            renderer.of(view).present(side.next.framebuffer.id(), whole);
+        }
+        const double changed = take(side);  // waits: what the badge says is what a frame takes
+        side.facts.size = size;
+        side.facts.view = view_;
+        return changed;
+    };
+    double changed = show(ViewId::first, first_);
+    ms[0] += ms_since(breath);
+    longest = std::max(longest, ms_since(breath));
+    other_is_new_ = other.has_value();
+    if (other) {
+        const auto begun = clock::now();
+        fit(other_.next, whole);
+        changed = std::max(changed, show(*other, other_));
+        other_.facts.ms = ms[1] + ms_since(begun);
     }
-    // Waits for the picture: what the badge says is what a frame takes.
-    const ivec2 seen(next_.texture.size());
-    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(seen.x) * static_cast<std::size_t>(seen.y));
-    glGetTextureImage(next_.texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                      static_cast<GLsizei>(4 * pixels.size()), pixels.data());
-    facts_.ms = ms_since(begun) - elsewhere;
-    facts_.longest_ms = std::max(longest, ms_since(breath));
-    facts_.size = size;
-    facts_.view = view_;
-    std::swap(shown_, next_);
+    first_.facts.ms = ms[0];
+    first_.facts.longest_ms = longest;
     ++frames_;
-    const std::vector<std::uint32_t> before = std::exchange(pixels_, std::move(pixels));
-    if (before.size() != pixels_.size()) {
-        return 1;
-    }
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        other += before[i] != pixels_[i] && differs(before[i], pixels_[i]) ? 1 : 0;
-    }
-    return static_cast<double>(other) / static_cast<double>(std::max<std::size_t>(1, before.size()));
+    return changed;
 }
 
 }  // namespace lanthorn::edit_window

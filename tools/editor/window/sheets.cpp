@@ -9,12 +9,11 @@
 #include <ctime>
 
 #include "tools/editor/window/panels.h"
+#include "tools/editor/window/sheets.h"
 
 namespace lanthorn::edit_window {
 
 namespace fs = std::filesystem;
-
-namespace {
 
 bool begin_sheet(EditorState& state, const char* title, float width, float height) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -32,97 +31,7 @@ bool begin_sheet(EditorState& state, const char* title, float width, float heigh
     return open;
 }
 
-std::string ago(double seconds) {
-    const double now = static_cast<double>(std::time(nullptr));
-    const double minutes = (now - seconds) / 60;
-    return minutes < 1         ? "just now"
-           : minutes < 90      ? fmt::format("{:.0f} minutes ago", minutes)
-           : minutes < 60 * 36 ? fmt::format("{:.0f} hours ago", minutes / 60)
-                               : fmt::format("{:.0f} days ago", minutes / 60 / 24);
-}
-
-void draw_start(EditorState& state) {
-    begin_sheet(state, "start", 560, 380);
-    ImGui::TextUnformatted("Lanthorn");
-    ImGui::SameLine();
-    ImGui::TextDisabled("light a level, and see the game's light while you drag");
-    ImGui::Spacing();
-    for (const editor::LeftLog& log : state.left_logs) {
-        ImGui::PushID(log.log.c_str());
-        ImGui::PushStyleColor(ImGuiCol_Text, colour::chosen);
-        ImGui::TextUnformatted(fmt::format("{}: {} unsaved edit{}, {}",
-                                           log.edited.empty() ? "a new room" : log.edited.filename().string(),
-                                           log.steps, log.steps == 1 ? "" : "s", ago(log.seconds))
-                                   .c_str());
-        ImGui::PopStyleColor();
-        ImGui::SameLine();
-        if (ImGui::SmallButton("Take them up")) {
-            state.sheet = Sheet::none;
-            state.desk.act([&state, file = log.log](editor::EditSession& session) {
-                const editor::Rebased done = session.recover(file);
-                state.opened = true;
-                state.toast_until = 1e18;
-                state.toast =
-                    fmt::format("{} edits taken up{}", done.kept,
-                                done.left.empty() ? "" : fmt::format(", {} no longer fit", done.left.size()));
-            });
-        }
-        ImGui::SameLine();
-        if (ImGui::SmallButton("Discard")) {
-            std::error_code error;
-            fs::remove(log.log, error);
-            std::erase_if(state.left_logs,
-                          [&](const editor::LeftLog& other) { return other.log == log.log; });
-            ImGui::PopID();
-            break;
-        }
-        ImGui::PopID();
-    }
-    ImGui::Spacing();
-    const float height = 2.2f * ImGui::GetFrameHeight();
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-    ImGui::BeginDisabled();
-    ImGui::Button("Drop a .glb here", {width, height});
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    if (ImGui::Button("Open...", {width, height})) {
-        state.act(Act::open);
-    }
-    ImGui::SameLine();
-    if (ImGui::Button("New room", {width, height})) {
-        state.act(Act::new_room);
-    }
-    const auto list = [&](const char* words, const std::vector<fs::path>& files, std::size_t most) {
-        if (files.empty()) {
-            return;
-        }
-        ImGui::Spacing();
-        ImGui::TextDisabled("%s", words);
-        for (std::size_t i = 0; i < std::min(most, files.size()); ++i) {
-            const std::string line = files[i].filename().string();
-            if (ImGui::Selectable(line.c_str(), false, 0, {0, ImGui::GetFrameHeight()})) {
-                state.open(files[i]);
-            }
-            if (ImGui::IsItemHovered()) {
-                ImGui::SetTooltip("%s", files[i].c_str());
-            }
-        }
-    };
-    list("Recent", state.recent, 5);
-    list("Levels to try", state.levels, 3);
-    if (state.session.is_open()) {
-        ImGui::Spacing();
-        if (ImGui::Button("Back")) {
-            state.sheet = Sheet::none;
-        }
-    }
-    if (!state.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, colour::bad);
-        ImGui::TextWrapped("%s", state.problem.c_str());
-        ImGui::PopStyleColor();
-    }
-    ImGui::End();
-}
+namespace {
 
 // Folders and glTF files of a folder, by name.
 std::vector<fs::directory_entry> entries_of(const fs::path& folder) {

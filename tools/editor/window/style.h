@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <bit>
+#include <cstdint>
+
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::edit_window {
@@ -26,6 +29,11 @@ inline constexpr ImU32 z_axis = IM_COL32(0x4f, 0x8e, 0xf7, 255);
 
 inline ImVec2 im(const vec2& v) {
     return {v.x, v.y};
+}
+
+// A texture of OpenGL as ImGui takes one.
+inline ImTextureID image_of(unsigned texture) {
+    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 
 // The fonts of one scale.

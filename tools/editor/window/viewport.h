@@ -1,6 +1,7 @@
 // The picture with what is done in it: looking round, choosing, and dragging handles.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ class Viewport {
     void read_light();
     // What draw() tints the picture by, while EditorState::error_shown.
     void show_error(const editor::ErrorMap& map);
-    // Keeps the picture as it is beside those that follow, with a divider between them; or no more.
-    void compare(bool on);
+    // The picture as it is, to stand beside those that follow. Empty where there is none.
+    std::shared_ptr<const OtherSide> kept_side() const;
+    // With a divider between them, that; null: no more. A step of the history of views.
+    void compare(std::shared_ptr<const OtherSide> with, double now);
     // The scene is another: looks from where the session does.
     void look_from_session();
     // All of these nodes, or everything, in the picture.
@@ -64,6 +67,7 @@ class Viewport {
     void set_pose(const workbench::CameraPose& pose, double now, bool jump = false);
     // The camera is there; nothing of it is a view that was left.
     void put_pose(const workbench::CameraPose& pose, double now);
+    LookedAt looked() const { return {pose_, state_.other_side}; }
     void find_distance();
     bool act_on_camera(Act act, double now);
     // Takes what is chosen without a button that is held.
@@ -103,6 +107,8 @@ class Viewport {
     void draw_wishes_places();
     void draw_error();
     void draw_compared();
+    void draw_compare_popup();
+    std::string other_words(bool sized) const;  // A's badge
     bool over_divider(const vec2& pixel) const;
     void move_divider(const vec2& pixel);
 

@@ -34,7 +34,7 @@ CameraPose with(CameraPose pose, const dvec3& at, const shell::Gaze& gaze) {
 
 void Viewport::set_pose(const CameraPose& pose, double now, bool jump) {
     if (!(pose == pose_)) {
-        history_.leave(pose_, now, jump);
+        history_.leave(looked(), now, jump);
         put_pose(pose, now);
     }
 }
@@ -124,12 +124,13 @@ void Viewport::frame(const std::vector<std::uint32_t>& nodes, double now) {
 }
 
 bool Viewport::act_on_camera(Act act, double now) {
-    const auto go = [&](const std::optional<CameraPose>& pose, const char* none) {
-        if (!pose) {
+    const auto go = [&](const std::optional<LookedAt>& view, const char* none) {
+        if (!view) {
             state_.say(none, now);
             return;
         }
-        put_pose(*pose, now);
+        state_.other_side = view->beside;
+        put_pose(view->pose, now);
         find_distance();
     };
     if (act == Act::frame_selection || act == Act::frame_all) {
@@ -137,9 +138,9 @@ bool Viewport::act_on_camera(Act act, double now) {
     } else if (act == Act::look_through_game_camera) {
         set_pose(state_.session.file_pose(), now, true);
     } else if (act == Act::view_before) {
-        go(history_.back(pose_, now), "no view before this one");
+        go(history_.back(looked(), now), "no view before this one");
     } else if (act == Act::view_after) {
-        go(history_.forth(pose_, now), "no view after this one");
+        go(history_.forth(looked(), now), "no view after this one");
     } else if (const int keeps = view_number(act, Act::keep_view); keeps > 0) {
         if (state_.session.is_open()) {
             state_.views.keep(state_.views_file(), keeps, pose_);

@@ -1,9 +1,12 @@
-// A|B: a picture that was kept beside the one of now, with a divider between them.
+// A|B: another picture left of the one of now, with a divider between them.
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "tools/editor/window/panels.h"
 #include "tools/editor/window/viewport.h"
 
 namespace lanthorn::edit_window {
@@ -14,27 +17,38 @@ constexpr float kGrip = 6;  // units to either side of the divider that take hol
 
 }  // namespace
 
-void Viewport::compare(bool on) {
-    if (!on || state_.picture.texture() == 0) {
-        state_.kept_picture.reset();
-        return;
-    }
-    const PictureFacts& facts = state_.picture.facts();
-    KeptPicture kept;
-    kept.texture = state_.picture.copy();
-    kept.words = fmt::format("A: {} {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), facts.technique,
-                             facts.preset, facts.size.x, facts.size.y, facts.ms);
+std::string picture_words(const PictureFacts& facts, const std::string& more, bool sized) {
+    const std::string size = sized ? fmt::format("{}x{} - ", facts.size.x, facts.size.y) : std::string();
+    std::string words =
+        fmt::format("{}{}{} - {} {} - {}{:.0f} ms", name_of(facts.quality), more.empty() ? "" : ", ", more,
+                    facts.technique, facts.preset, size, facts.ms);
     if (facts.view != "final") {
-        kept.words += " - " + facts.view;
+        words += " - " + facts.view;
     }
-    kept.version = state_.session.version();
-    kept.pose = state_.session.pose();
-    state_.kept_picture = std::move(kept);
+    return words;
+}
+
+std::shared_ptr<const OtherSide> Viewport::kept_side() const {
+    if (state_.picture.texture() == 0) {
+        return nullptr;
+    }
+    OtherSide side;
+    side.kept.emplace();
+    side.kept->texture = state_.picture.copy();
+    side.kept->words = picture_words(state_.picture.facts(), "");
+    side.kept->version = state_.session.version();
+    side.kept->pose = state_.session.pose();
+    return std::make_shared<const OtherSide>(std::move(side));
+}
+
+void Viewport::compare(std::shared_ptr<const OtherSide> with, double now) {
+    history_.leave(looked(), now, true);
+    state_.other_side = std::move(with);
 }
 
 bool Viewport::over_divider(const vec2& pixel) const {
     const Box& box = state_.layout.picture;
-    return state_.kept_picture && box.contains(pixel) &&
+    return state_.other_side && box.contains(pixel) &&
            std::abs(pixel.x - box.x - state_.divider * box.width) < kGrip * state_.unit;
 }
 
@@ -43,16 +57,37 @@ void Viewport::move_divider(const vec2& pixel) {
     state_.divider = std::clamp((pixel.x - box.x) / box.width, 0.02f, 0.98f);
 }
 
+std::string Viewport::other_words(bool sized) const {
+    if (const KeptPicture* kept = state_.kept_picture()) {
+        const bool moved = !(kept->pose == state_.session.pose());
+        const bool edited = kept->version != state_.session.version();
+        return "A  before: " + kept->words +
+               (moved    ? " - from another place"
+                : edited ? " - before later edits"
+                         : "");
+    }
+    if (state_.picture.other_texture() == 0) {
+        return "A  " + words_of(*state_.other_side->as) + " - not drawn yet";
+    }
+    return "A  " + picture_words(state_.picture.other_facts(), "", sized) +
+           (state_.picture.other_is_new() ? "" : " - as before the hand moved");
+}
+
 void Viewport::draw_compared() {
-    if (!state_.kept_picture) {
+    const Box& box = state_.layout.picture;
+    if (!state_.other_side) {
         return;
     }
-    const KeptPicture& kept = *state_.kept_picture;
-    const Box& box = state_.layout.picture;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float u = state_.unit, x = box.x + state_.divider * box.width;
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(kept.texture.id()));
-    list.AddImage(id, {box.x, box.y}, {x, box.y + box.height}, {0, 1}, {state_.divider, 0});
+    const KeptPicture* kept = state_.kept_picture();
+    if (const GLuint texture = kept != nullptr ? kept->texture.id() : state_.picture.other_texture();
+        texture != 0) {
+        const auto id = image_of(texture);
+        list.AddImage(id, {box.x, box.y}, {x, box.y + box.height}, {0, 1}, {state_.divider, 0});
+    } else {
+        list.AddRectFilled({box.x, box.y}, {x, box.y + box.height}, IM_COL32(0, 0, 0, 120));
+    }
     list.AddRectFilled({x - 2 * u, box.y}, {x + 2 * u, box.y + box.height}, IM_COL32(0, 0, 0, 160));
     list.AddRectFilled({x - 0.5f * u, box.y}, {x + 0.5f * u, box.y + box.height}, colour::words);
     const vec2 middle(x, box.y + box.height / 2);
@@ -61,16 +96,28 @@ void Viewport::draw_compared() {
                            im(middle + vec2(-2 * u, 4 * u)), colour::words);
     list.AddTriangleFilled(im(middle + vec2(6 * u, 0)), im(middle + vec2(2 * u, -4 * u)),
                            im(middle + vec2(2 * u, 4 * u)), colour::words);
-    std::string words = kept.words;
-    if (!(kept.pose == state_.session.pose())) {
-        words += " - from another place";
-    } else if (kept.version != state_.session.version()) {
-        words += " - before later edits";
+    const float line = ImGui::GetFontSize();
+    const auto letter = [&](const char* name, float left, ImU32 shade) {
+        const vec2 at(left, middle.y - 0.65f * line);
+        list.AddRectFilled(im(at), im(at + vec2(1.2f * line, 1.3f * line)), IM_COL32(0, 0, 0, 190));
+        list.AddText(im(at + vec2(0.3f * line, 0.15f * line)), shade, name);
+    };
+    letter("A", x - 12 * u - 1.2f * line, colour::chosen);
+    letter("B", x + 12 * u, colour::words);
+}
+
+void Viewport::draw_compare_popup() {
+    if (std::exchange(state_.compare_menu, false)) {
+        ImGui::OpenPopup("A|B");
+        const Box& button = state_.compare_button;
+        const Box& box = state_.layout.picture;
+        ImGui::SetNextWindowPos(button.empty() ? ImVec2(box.x, box.y)
+                                               : ImVec2(button.x, button.y + button.height));
     }
-    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-    const float pad = 4 * u, top = box.y + size.y + pad + 4 * u;
-    list.AddRectFilled({box.x, top}, {box.x + size.x + 2 * pad, top + size.y + pad}, IM_COL32(0, 0, 0, 190));
-    list.AddText({box.x + pad, top + pad / 2}, colour::chosen, words.c_str());
+    if (ImGui::BeginPopup("A|B")) {
+        draw_compare_menu(state_);
+        ImGui::EndPopup();
+    }
 }
 
 }  // namespace lanthorn::edit_window

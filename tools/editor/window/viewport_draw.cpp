@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "lanthorn/scene/components.h"
@@ -59,12 +58,13 @@ void Viewport::draw(double now) {
     const Box& box = state_.layout.picture;
     eye_ = Projector(look_, origin_, box);
     if (state_.picture.texture() != 0) {
-        const auto id = std::bit_cast<ImTextureID>(std::uintptr_t{state_.picture.texture()});
+        const auto id = image_of(state_.picture.texture());
         list.AddImage(id, {box.x, box.y}, {box.x + box.width, box.y + box.height}, {0, 1}, {1, 0});
     }
     list.PushClipRect({box.x, box.y}, {box.x + box.width, box.y + box.height}, true);
     if (state_.session.is_open()) {
         draw_compared();
+        draw_compare_popup();
         draw_error();
         draw_selection();
         if (state_.helpers) {
@@ -84,10 +84,11 @@ void Viewport::draw(double now) {
         draw_badge();
     }
     const float pad = 4 * state_.unit;
+    const vec2 said(box.x + 8 * state_.unit, box.y + (state_.other_side ? 66 : 48) * state_.unit);
     if (!state_.problem.empty()) {
-        chip(list, {box.x + 8 * state_.unit, box.y + 48 * state_.unit}, pad, colour::bad, state_.problem);
+        chip(list, said, pad, colour::bad, state_.problem);
     } else if (now < state_.toast_until) {
-        chip(list, {box.x + 8 * state_.unit, box.y + 48 * state_.unit}, pad, colour::words, state_.toast);
+        chip(list, said, pad, colour::words, state_.toast);
     }
     list.PopClipRect();
 }
@@ -97,12 +98,10 @@ void Viewport::draw_badge() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     const float pad = 4 * state_.unit;
-    const std::string refined = state_.refinement.words();
-    std::string words =
-        fmt::format("{}{}{} - {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), refined.empty() ? "" : ", ",
-                    refined, facts.technique, facts.preset, facts.size.x, facts.size.y, facts.ms);
-    if (facts.view != "final") {
-        words += " - " + facts.view;
+    const float row = ImGui::GetFontSize() + pad;
+    std::string words = picture_words(facts, state_.refinement.words());
+    if (state_.session.moment() > 0) {
+        words += fmt::format(" - at {:.2f} s", state_.session.moment());
     }
     if (!state_.solo.empty()) {
         words += fmt::format(" - {} solo", state_.solo.size());
@@ -110,12 +109,32 @@ void Viewport::draw_badge() {
         words += fmt::format(" - {} muted", state_.muted.size());
     }
     const ImU32 shade = facts.quality == Quality::drag ? colour::warning : colour::words;
-    chip(list, {box.x, box.y}, pad, shade, words);
-    const float at = box.x + ImGui::CalcTextSize(words.c_str()).x + 3 * pad;
+    vec2 corner(box.x, box.y);
+    state_.compare_button = {};
+    if (state_.other_side) {
+        // A's above the left part; B's above the right one, or below A's where there is no room.
+        words = "B  " + words;
+        std::string left = other_words(true);
+        if (ImGui::CalcTextSize(left.c_str()).x + 2 * pad > box.width) {
+            left = other_words(false);
+        }
+        const float wide = ImGui::CalcTextSize(left.c_str()).x + 2 * pad;
+        const float mine = ImGui::CalcTextSize(words.c_str()).x + 2 * pad;
+        chip(list, corner, pad, colour::chosen, left);
+        state_.compare_button = {corner.x, corner.y, wide, row};
+        if (state_.compare_button.contains(last_) && !ImGui::IsPopupOpen("A|B")) {
+            ImGui::SetTooltip("what stands left of the divider: click for another");
+        }
+        const bool beside = wide + mine + pad < box.width;
+        corner = beside ? vec2(box.x + box.width - mine, box.y) : vec2(box.x, box.y + row);
+    }
+    chip(list, corner, pad, shade, words);
+    const float at = corner.x + ImGui::CalcTextSize(words.c_str()).x + 3 * pad, top = corner.y;
     state_.game_button = {};
     // Of a picture that is the game's in all but proof.
     const bool comparable = !state_.exposure_locked && state_.muted.empty() && state_.solo.empty() &&
-                            facts.view == "final" && facts.quality == Quality::still;
+                            facts.view == "final" && facts.quality == Quality::still &&
+                            state_.session.moment() == 0 && !state_.session.shown_clip();
     if (comparable) {
         const bool known = !state_.game_words.empty() && state_.game_version == state_.session.version() &&
                            state_.game_pose == state_.session.pose();
@@ -124,15 +143,17 @@ void Viewport::draw_badge() {
         const ImVec2 size = ImGui::CalcTextSize(says.c_str());
         // Beside the badge, or below it where there is no room.
         const bool fits = at + size.x + 2 * pad < box.x + box.width;
-        const vec2 corner(fits ? at : box.x, fits ? box.y : box.y + size.y + pad);
-        chip(list, corner, pad, colour_of, says);
-        state_.game_button = {corner.x, corner.y, size.x + 2 * pad, size.y + pad};
+        const vec2 place(fits ? at : box.x, fits ? top : top + row);
+        chip(list, place, pad, colour_of, says);
+        state_.game_button = {place.x, place.y, size.x + 2 * pad, row};
         if (state_.game_button.contains(last_)) {
             ImGui::SetTooltip("draws the saved bytes by a fresh App, and compares bit for bit (G)");
         }
     }
     if (state_.exposure_locked) {
-        chip(list, {at, box.y}, pad, colour::warning, fmt::format("EV {:.1f} held", state_.locked_ev));
+        const std::string says = fmt::format("EV {:.1f} held", state_.locked_ev);
+        const bool fits = at + ImGui::CalcTextSize(says.c_str()).x + 2 * pad < box.x + box.width;
+        chip(list, fits ? vec2(at, top) : vec2(box.x, top + row), pad, colour::warning, says);
     }
 }
 

@@ -30,7 +30,9 @@ void Viewport::show_error(const editor::ErrorMap& map) {
     texels.reserve(4 * map.error.size());
     for (int y = 0; y < map.cells.y; ++y) {
         for (int x = 0; x < map.cells.x; ++x) {
-            const float error = map.error[static_cast<std::size_t>(y * map.cells.x + x)];
+            const float error =
+                map.error[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.cells.x) +
+                          static_cast<std::size_t>(x)];
             const float amount = std::isfinite(error) ? std::min(std::abs(error), 1.0f) : 0.0f;
             const bool faint = error < 0 && (x + y) % 2 == 0;
             const auto alpha =
@@ -61,8 +63,12 @@ void Viewport::draw_error() {
     const bool known = state_.error && state_.error_of_frame == state_.picture.frames();
     if (known && error_tint_) {
         const vec2 covered = vec2(state_.error->cells * state_.error->stride) / vec2(state_.error->size);
-        const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(error_tint_.id()));
+        const auto id = image_of(error_tint_.id());
+        // It is B's.
+        const float left = state_.other_side ? box.x + state_.divider * box.width : box.x;
+        list.PushClipRect({left, box.y}, {box.x + box.width, box.y + box.height}, true);
         list.AddImage(id, {box.x, box.y}, {box.x + covered.x * box.width, box.y + covered.y * box.height});
+        list.PopClipRect();
     }
     const vec2 at(box.x + box.width - 176 * u, box.y + 28 * u);
     list.AddRectFilled({at.x, at.y}, {at.x + 170 * u, at.y + 38 * u}, IM_COL32(0, 0, 0, 190));

@@ -186,6 +186,11 @@ bool EditorWindow::State::act_on_file(Act what) {
                 e.desk.act([this](EditSession&) { play_here(); });
             }
             break;
+        case Act::still_solvable:
+            if (open) {
+                e.desk.act([this](EditSession&) { ask_solvable(); });
+            }
+            break;
         case Act::screenshot:
             e.desk.act([this](EditSession&) {
                 draw_panels(false);
@@ -210,7 +215,39 @@ bool EditorWindow::State::act_on_view(Act what) {
             e.helpers = !e.helpers;
             break;
         case Act::compare:
-            e.desk.act([this](EditSession&) { viewport->compare(!editor->kept_picture); });
+            if (session.is_open()) {
+                e.desk.act([this](EditSession&) {
+                    viewport->compare(editor->other_side ? nullptr : viewport->kept_side(), now());
+                });
+            }
+            break;
+        case Act::compare_technique:
+            if (session.is_open()) {
+                if (e.other_side && e.other_side->as) {
+                    e.compare(nullptr);
+                } else {
+                    // The one of last time, if it is another and this program has it.
+                    const std::string now_drawn = e.drawn_as().technique();
+                    std::string other = e.compare_with;
+                    for (const std::string& name : gi::technique_names()) {
+                        const bool fits = other != now_drawn && gi::find_technique(other) != nullptr;
+                        other = fits ? other : name;
+                    }
+                    e.compare_as(editor::drawn_as(other, e.drawn_as()));
+                }
+            }
+            break;
+        case Act::play_clip:
+            if (e.timeline.shown() == nullptr) {
+                e.say(e.timeline.clips.empty() ? "no clip in this file"
+                                               : "no clip is shown: the timeline has them",
+                      at);
+            } else {
+                e.timeline.play(!e.timeline.playing, at);
+            }
+            break;
+        case Act::compare_menu:
+            e.compare_menu = session.is_open();
             break;
         case Act::copy_render_line:
             if (session.is_open()) {

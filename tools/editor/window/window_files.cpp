@@ -55,12 +55,17 @@ void EditorWindow::State::scene_opened() {
     editor->never_mind.clear();
     editor->why.reset();
     editor->wishes = {};
+    editor->timeline = {};
+    editor->solve = {};
+    if (std::exchange(editor->solving, false)) {
+        solver.stop();
+    }
     editor->places.clear();
     editor->played.clear();
     editor->beside = {};
     why_light.forget();
     editor->error.reset();
-    editor->kept_picture.reset();
+    editor->other_side.reset();
     editor->gains.clear();
     editor->contracts.clear();
     shown_path = session.path();
@@ -100,6 +105,7 @@ void EditorWindow::State::reload() {
         if (session.changed_outside()) {
             const auto begun = std::chrono::steady_clock::now();
             const editor::Rebased done = session.reload();
+            e.timeline.moved = true;  // it stays where it was
             const std::time_t clock = std::time(nullptr);
             std::tm local{};
             localtime_r(&clock, &local);

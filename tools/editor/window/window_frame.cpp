@@ -56,25 +56,32 @@ class KeptState {
 
 }  // namespace
 
+Settings EditorWindow::State::shown_settings(const Settings& chosen) {
+    EditorState& e = *editor;
+    Settings shown = chosen;
+    if (e.exposure_locked) {
+        try {
+            shown.set_from_text("render.exposure.mode", "manual");
+            shown.set_from_text("render.exposure.ev100", fmt::format("{}", e.locked_ev));
+        } catch (const Error& error) {
+            e.problem = error.what();
+        }
+    }
+    if (e.refines && Refinement::possible(shown)) {
+        Refinement::prepare(shown);
+    }
+    return shown;
+}
+
 // What the preview has beside the scene: settings, held exposure, muted lights.
 void EditorWindow::State::apply_preview() {
     EditorState& e = *editor;
-    if (std::exchange(e.settings_changed, false)) {
-        Settings shown = e.settings;
-        if (e.exposure_locked) {
-            try {
-                shown.set_from_text("render.exposure.mode", "manual");
-                shown.set_from_text("render.exposure.ev100", fmt::format("{}", e.locked_ev));
-            } catch (const Error& error) {
-                e.problem = error.what();
-            }
-        }
-        if (e.refines && Refinement::possible(shown)) {
-            Refinement::prepare(shown);
-        }
-        gi::apply_settings(session.app(), shown);
+    const bool other_settings = std::exchange(e.settings_changed, false);
+    if (other_settings) {
+        gi::apply_settings(session.app(), shown_settings(e.settings));
         e.pace.forget();
     }
+    follow_other_side(other_settings);
     if (!session.is_open() || (e.muted.empty() && e.solo.empty() && !dimmed_any)) {
         return;
     }
@@ -131,8 +138,15 @@ void EditorWindow::State::settle() {
     keep_views();
     keep_keymap();
     e.read();
+    follow_timeline();
     apply_preview();
     follow_title();
+}
+
+void EditorWindow::State::hide_other_side() {
+    if (other_view) {
+        session.app().view(*other_view).size = ivec2(0);
+    }
 }
 
 // Draws what would be saved by a fresh App, and compares.
@@ -142,6 +156,11 @@ void EditorWindow::State::check_game() {
         e.say("not the game's light: lights are muted or the exposure is held", now());
         return;
     }
+    if (session.moment() > 0 || session.shown_clip()) {
+        e.say("not the game's first moment: the timeline stands elsewhere", now());
+        return;
+    }
+    hide_other_side();
     session.world().resource_mut<PresentTarget>().size = ivec2(0);
     const editor::SameAsGame found = editor::same_as_game(session, e.settings, {e.picture.facts().size, 4});
     window.context().make_current();
@@ -199,7 +218,7 @@ void EditorWindow::State::refine_picture() {
     EditorState& e = *editor;
     const ivec2 size = glm::max(ivec2(glm::round(whole_size())), 16);
     try {
-        e.picture.draw(session.app(), size, size, [this] { breathe(); });
+        e.picture.draw(session.app(), size, size, other_view, [this] { breathe(); });
         if (e.refinement.drew(e.picture.facts().ms)) {
             const gi::ErrorEstimate estimate = estimate_error();
             e.refinement.estimated(estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt);
@@ -227,8 +246,10 @@ void EditorWindow::State::draw_picture() {
     const double shows_hand = std::exchange(hand_at, 0);
     e.refinement.forget();
     try {
-        const double changed = e.picture.draw(session.app(), size, glm::max(ivec2(glm::round(whole)), 16),
-                                              [this] { breathe(); });
+        // A is frozen while the hand moves: the hand has the time that it would take.
+        const double changed =
+            e.picture.draw(session.app(), size, glm::max(ivec2(glm::round(whole)), 16),
+                           quality == Quality::drag ? std::nullopt : other_view, [this] { breathe(); });
         PictureFacts& facts = e.picture.facts();
         facts.changed = changed;
         facts.quality = quality;
@@ -237,6 +258,12 @@ void EditorWindow::State::draw_picture() {
         e.pace.drew(quality, scale, facts.ms, changed);
         if (!e.pace.due()) {
             facts.quality = e.pace.quality(now());
+        }
+        if (e.picture.other_is_new() && e.other_side && e.other_side->as) {
+            PictureFacts& other = e.picture.other_facts();
+            other.quality = facts.quality;
+            other.technique = e.other_side->as->technique();
+            other.preset = e.other_side->as->preset;
         }
         viewport->picture_drawn();
         if (!e.pace.due() || e.picture.frames() % kEstimateEvery == 0) {

@@ -48,6 +48,10 @@ void EditorWindow::State::take_events() {
             act(Act::check_game);
             continue;
         }
+        if (over && happening->kind == Happening::Kind::press && e.compare_button.contains(happening->at)) {
+            act(Act::compare_menu);
+            continue;
+        }
         const bool was_gesture = viewport->gesture();
         if ((happening->kind != Happening::Kind::key || !typing) && viewport->take(*happening, over)) {
             if (viewport->gesture() && was_gesture && e.desk.waiting() && hand_at == 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "tools/editor/window/panels.h"
 #include "tools/editor/window/window_state.h"
@@ -115,11 +116,14 @@ void EditorWindow::State::make_panels() {
                                    "Why",
                                    e.wishes.rows.empty() ? std::string("Wishes")
                                                          : fmt::format("Wishes {}", e.wishes.rows.size()),
+                                   "Timeline",
+                                   "Solvable",
                                    "Settings",
                                    fmt::format("Played {}", e.played.size()),
                                    fmt::format("Beside {}", e.beside.rows.size())};
             const auto shown = [&](int tab) {
-                return (tab != kPlayedTab || !e.played.empty()) && (tab != kBesideTab || !e.beside.empty());
+                return (tab != kSolveTab || e.can_solve) && (tab != kPlayedTab || !e.played.empty()) &&
+                       (tab != kBesideTab || !e.beside.empty());
             };
             float wide = 0;
             for (int i = kLightsTab; i <= kBesideTab; ++i) {
@@ -128,20 +132,55 @@ void EditorWindow::State::make_panels() {
                                  : 0;
             }
             if (wide > ImGui::GetContentRegionAvail().x) {  // large text: words alone, and short ones
-                constexpr const char* kShort[] = {"Lights", "Warn", "Why", "Wish", "Set", "Played", "Beside"};
+                constexpr const char* kShort[] = {"Lights", "Warn", "Why",    "Wish",  "Time",
+                                                  "Solve",  "Set",  "Played", "Beside"};
                 std::ranges::copy(kShort, names);
             }
+            const auto choose = [&](int tab) {
+                e.splits.drawer_open = !(was_open && e.drawer_tab == tab);
+                e.drawer_tab = tab;
+            };
+            const float edge = ImGui::GetWindowContentRegionMax().x,
+                        padding = 2 * ImGui::GetStyle().FramePadding.x;
+            const float dots = ImGui::CalcTextSize("...").x + padding;
+            std::vector<int> more;  // for which there is no room
             for (int i = kLightsTab; i <= kBesideTab; ++i) {
                 if (!shown(i)) {
+                    continue;
+                }
+                const float after =
+                    ImGui::GetCursorPosX() + ImGui::CalcTextSize(names[i].c_str()).x + padding;
+                bool last = true;
+                for (int later = i + 1; later <= kBesideTab; ++later) {
+                    last = last && !shown(later);
+                }
+                if (!more.empty() || after + (last ? 0 : dots + 2 * u) > edge) {
+                    more.push_back(i);
                     continue;
                 }
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {
-                    e.splits.drawer_open = !(was_open && e.drawer_tab == i);
-                    e.drawer_tab = i;
+                    choose(i);
                 }
                 ImGui::PopStyleColor();
+                ImGui::SameLine(0, 2 * u);
+            }
+            if (!more.empty()) {
+                const bool on = was_open && std::ranges::find(more, e.drawer_tab) != more.end();
+                ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
+                if (ImGui::Button("...")) {
+                    ImGui::OpenPopup("more tabs");
+                }
+                ImGui::PopStyleColor();
+                if (ImGui::BeginPopup("more tabs")) {
+                    for (const int tab : more) {
+                        if (ImGui::MenuItem(names[tab].c_str(), nullptr, was_open && e.drawer_tab == tab)) {
+                            choose(tab);
+                        }
+                    }
+                    ImGui::EndPopup();
+                }
                 ImGui::SameLine(0, 2 * u);
             }
             ImGui::NewLine();
@@ -153,6 +192,8 @@ void EditorWindow::State::make_panels() {
             : e.drawer_tab == kWarningsTab ? draw_warnings(e)
             : e.drawer_tab == kWhyTab      ? draw_why(e)
             : e.drawer_tab == kWishesTab   ? draw_wishes(e)
+            : e.drawer_tab == kTimelineTab ? draw_timeline(e)
+            : e.drawer_tab == kSolveTab    ? draw_solving(e)
             : e.drawer_tab == kPlayedTab   ? draw_played(e)
             : e.drawer_tab == kBesideTab   ? draw_beside(e)
                                            : draw_settings(e);

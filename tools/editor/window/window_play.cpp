@@ -19,7 +19,7 @@ void EditorWindow::State::play_here() {
         return;
     }
     try {
-        const std::filesystem::path folder = game.make_folder();
+        const std::filesystem::path folder = game.make_folder("lanthorn-play-XXXXXX");
         game.start(options.play(session, e.settings, folder / "level.glb", window.framebuffer_size()));
         played_folder = folder;
         e.playing = true;

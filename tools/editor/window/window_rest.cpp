@@ -50,7 +50,7 @@ void EditorWindow::State::take_rest_figures(RestFigures figures) {
 bool EditorWindow::State::refines_now() const {
     const EditorState& e = *editor;
     return session.is_open() && !e.pace.due() && !e.pace.held() && e.refinement.due() &&
-           !e.layout.picture.empty() && !rest_watch.busy() && !game.running();
+           !e.layout.picture.empty() && !rest_watch.busy() && !game.running() && !solver.running();
 }
 
 void EditorWindow::State::follow_rest() {
@@ -71,6 +71,11 @@ void EditorWindow::State::follow_rest() {
     }
     const ivec2 size = e.picture.facts().size;
     const Renderer& renderer = session.world().resource<Renderer>();
+    if (renderer.frame && e.picture.view() == "final" && carded != session.path() &&
+        !session.path().empty()) {
+        carded = session.path();
+        e.cards.keep(carded, renderer.frame->read(render::Aov::final));
+    }
     if (measured_frame != e.picture.frames() && renderer.frame && size.x >= 16 * editor::kErrorStride) {
         measured_frame = e.picture.frames();
         rest_since = now();
@@ -99,7 +104,7 @@ void EditorWindow::State::measure_costs(ivec2 size) {
         e.splits.drawer_open && e.drawer_tab == kLightsTab && !e.splits.only_picture && !e.lights.empty();
     const bool known = e.costs_version == session.version() && e.costs_pose == session.pose() && !costs;
     if (!asked || known || rest_watch.busy() || !e.muted.empty() || !e.solo.empty() ||
-        e.settings.text("gi.technique") == "path" || game.running()) {
+        e.settings.text("gi.technique") == "path" || game.running() || solver.running()) {
         costs.reset();
         return;
     }

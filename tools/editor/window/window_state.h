@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,13 @@ struct EditorWindow::State {
     // window_frame.cpp
     void settle();
     void apply_preview();
+    // Settings as they are drawn with here: an exposure that is held, and what refining needs.
+    Settings shown_settings(const Settings& chosen);
+    void hide_other_side();  // until the next picture: others draw in the session's App
+    // window_compare.cpp
+    void follow_other_side(bool settings_changed);
+    std::optional<ViewId> other_view;             // of the session's App, while two ways are compared
+    std::shared_ptr<const OtherSide> shown_side;  // that it follows
     void check_game();
     void write_review_page();
     // viewport_why.cpp
@@ -100,7 +108,8 @@ struct EditorWindow::State {
     void measure_costs(ivec2 size);
     std::uint32_t node_with(std::uint32_t entity);
     RestWatch rest_watch;
-    int measured_frame = -1;  // that the watch looks at, or has looked at; -1: none
+    std::filesystem::path carded;  // the file whose picture has been kept for the start screen
+    int measured_frame = -1;       // that the watch looks at, or has looked at; -1: none
     double rest_since = 0;
     std::unique_ptr<workbench::LightCosts> costs;  // being measured
     // window_wishes.cpp
@@ -108,6 +117,15 @@ struct EditorWindow::State {
     void follow_wishes();
     WishSolver wish_solver;
     std::uint64_t asked_wishes = 0, asked_version = 0;  // that the solver has
+    void follow_timeline();                             // window_timeline.cpp
+    // window_solve.cpp
+    void ask_solvable();  // or no more
+    void follow_solving();
+    std::filesystem::path solver_folder;
+    bool solve_dropped = false;
+    double solve_looked = 0;  // GLFW's time
+    ChildProgram solver;
+    Alarm solver_alarm;
     // window_play.cpp
     void play_here();
     void follow_play();

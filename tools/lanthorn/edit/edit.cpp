@@ -12,6 +12,7 @@
 #include "tools/lanthorn/edit/beside.h"
 #include "tools/lanthorn/edit/edit_window.h"
 #include "tools/lanthorn/edit/recorded_state.h"
+#include "tools/lanthorn/edit/solve_level.h"
 
 namespace lanthorn::tools {
 
@@ -58,6 +59,7 @@ ExitCode run(const Options& options) {
     }
     editor::EditScript script({options.view, {}}, chosen.settings,
                               [](const std::string& line) { fmt::print("{}\n", line); });
+    script.set_solver(solve_now);
     if (!options.scene.empty()) {
         script.session().open(options.scene);
     }

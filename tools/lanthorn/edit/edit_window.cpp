@@ -8,6 +8,7 @@
 #include "tools/editor/window/editor_window.h"
 #include "tools/lanthorn/edit/play_level.h"
 #include "tools/lanthorn/edit/recorded_state.h"
+#include "tools/lanthorn/edit/solve_level.h"
 
 namespace lanthorn::tools {
 
@@ -28,11 +29,13 @@ ExitCode open_edit_window(const EditWindowChoice& choice) {
     options.beside = choice.beside;
     options.play = play_command;
     options.played = played_scene;
+    options.solve = solve_command;
+    options.solve_found = solve_found;
     options.recent = shell::data_file("lanthorn", "recent-scenes");
     for (const std::string_view stem : game::campaign()) {
         const std::filesystem::path file = game::level_path(stem);
         std::error_code error;
-        if (options.levels.size() < 3 && std::filesystem::is_regular_file(file, error)) {
+        if (std::filesystem::is_regular_file(file, error)) {
             options.levels.push_back(file);
         }
     }

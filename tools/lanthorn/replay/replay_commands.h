@@ -12,6 +12,7 @@ Command add_replay_info(CLI::App& replay);
 Command add_replay_pack(CLI::App& replay);
 Command add_replay_play(CLI::App& replay);
 Command add_replay_record(CLI::App& replay);
+Command add_replay_solve(CLI::App& replay);
 Command add_replay_state(CLI::App& replay);  // hidden: what bisect and trim ask of another build
 Command add_replay_suite(CLI::App& replay);
 Command add_replay_suite_slice(CLI::App& replay);  // hidden: a task of a farm

@@ -18,6 +18,7 @@
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/mutant.h"
 #include "tools/lanthorn/replay/pictures/mark_processes.h"
+#include "tools/lanthorn/replay/progress_file.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 
 namespace lanthorn::tools {
@@ -33,29 +34,6 @@ struct Options {
     JudgeChoice judge;
     int jobs = 1;  // marks at a time
     bool json = false, brief = false;
-};
-
-// Tells the step reached, about twice a second, in a file for who watches.
-class ProgressFile {
-  public:
-    explicit ProgressFile(std::string path) : path_(std::move(path)) { write(0); }
-    void update(std::uint64_t step) {
-        const auto now = Clock::now();
-        if (!path_.empty() && now - written_ > std::chrono::milliseconds(500)) {
-            written_ = now;
-            write(step);
-        }
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    void write(std::uint64_t step) const {
-        if (!path_.empty()) {
-            write_file(path_, fmt::format("{}\n", step));
-        }
-    }
-    std::string path_;
-    Clock::time_point written_ = Clock::now();
 };
 
 PictureChoice picture_choice(const Options& options) {

@@ -31,6 +31,7 @@ struct DrawnView {
     // For the plugin.
     std::shared_ptr<FrameScene> own;  // what `scene` is, unless that is the App's
     bool finished = false;            // composed in the last frame
+    bool at_work = false;             // a pass is drawn for it now: as ViewPass says
 };
 
 // The renderer of an App: a resource. What is drawn is in the resource render::RenderSettings, or in
@@ -52,15 +53,25 @@ struct Renderer {
     const render::FrameRenderer& of(ViewId id) const { return *drawn(id).frame; }
 };
 
-// Runs a pass for every view that is drawn. The passes of those beside the first are timed under the view's
-// name as well.
+// As long as it lives, what is drawn is drawn for that view: DrawnView::at_work says so to whoever is called
+// in the middle of a frame. Passes of views beside the first are timed under the view's name as well.
+class ViewPass {
+  public:
+    ViewPass(const Renderer& renderer, DrawnView& view);
+    ~ViewPass();
+    ViewPass(const ViewPass&) = delete;
+    ViewPass& operator=(const ViewPass&) = delete;
+
+  private:
+    DrawnView& view_;
+    std::optional<gpu::PassTimer::Scope> whole_;
+};
+
+// Runs a pass for every view that is drawn.
 template <class Pass>
 void for_each_view(const Renderer& renderer, const Pass& pass) {
     for (const std::unique_ptr<DrawnView>& view : renderer.views) {
-        std::optional<gpu::PassTimer::Scope> whole;
-        if (view->id != ViewId::first) {
-            whole.emplace(*renderer.timer, view->name);
-        }
+        const ViewPass at_work(renderer, *view);
         pass(*view);
     }
 }

@@ -19,9 +19,13 @@ void add_scene_plugins(App& app);
 // apply_extras() where `bad` is to be refused.
 std::vector<ecs::Entity> spawn_scene(App& app, SceneData scene, BadExtras bad = BadExtras::refuse);
 
+// The clip that a node's `start_clip` names; "none": it wants none; empty: no node has one. O(nodes).
+std::string named_clip(ecs::World& world);
+
 // Plays a clip of the scenes that have been spawned, by the App's clock: what is shown at a moment is the
-// clip's pose at that moment, looped. `animation` is a clip's name, its number, "none", or empty for each
-// scene's first. Throws InputError naming `source` and the clips that there are if no scene has it.
+// clip's pose at that moment, looped. `animation` is a clip's name, its number, "none", or empty for the
+// named_clip(), and without one each scene's first. Throws InputError naming `source` and the clips that
+// there are if no scene has it.
 void play_clip(ecs::World& world, const std::string& animation, const std::string& source);
 
 // The world as it stands, without history: at full detail, with an origin that no frame before has chosen.
