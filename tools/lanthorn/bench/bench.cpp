@@ -186,7 +186,8 @@ ExitCode run(Options options) {
             apply_row(*row, share, settings);
             PaperJob job = options.job;
             job.size = size;
-            all.push_back({final, size, measure_row(*row, scene, settings, job)});
+            job.mover = row->mover;
+            all.push_back({final, size, measure_row(scene, settings, job)});
             renderer = all.back().figures.renderer;
             work.step();
         };

@@ -88,8 +88,7 @@ void apply_row(const PaperRow& row, double share, Settings& settings) {
     settings.set<int>("gi.emc.count", row.maps);
 }
 
-PaperFigures measure_row(const PaperRow& row, const SceneData& scene, const Settings& settings,
-                         const PaperJob& job) {
+PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job) {
     std::unique_ptr<gpu::Context> context;  // before what draws in it
     ShownScene shown(scene, {});
     shown.show_at(0);
@@ -97,7 +96,7 @@ PaperFigures measure_row(const PaperRow& row, const SceneData& scene, const Sett
         shown.hold();
     }
     ecs::World& world = shown.world();
-    Slider mover(world, row.mover);
+    Slider mover(world, job.mover);
     DimmedLights lamps(world);
     for (const auto& sources : {punctual_lights(world), emissive_meshes(world)}) {
         std::ranges::for_each(sources, [&](ecs::Entity source) { lamps.add(source); });

@@ -14,9 +14,10 @@ struct PaperJob {
     ivec2 size{512, 512};
     int frames = 8;  // measured
     int warmup = 3;  // before
-    // Geometry moves too, 2 cm a frame: the row's mover slides to and fro, what is animated goes on, by 1/30
-    // s.
+    // Geometry moves too: `mover`, a node's name, slides to and fro by 2 cm a frame (null: nothing does), and
+    // what is animated goes on by 1/30 s.
     bool moving = false;
+    const char* mover = nullptr;
 };
 
 struct PaperFigures {
@@ -40,8 +41,7 @@ int paper_share(int photons, double share);
 void apply_row(const PaperRow& row, double share, Settings& settings);
 
 // Frames in which all lamps change by their last bit, so that every photon is traced in each of them.
-// `scene` is the row's. Throws Error(ExitCode::no_gl) without OpenGL 4.5.
-PaperFigures measure_row(const PaperRow& row, const SceneData& scene, const Settings& settings,
-                         const PaperJob& job);
+// Throws Error(ExitCode::no_gl) without OpenGL 4.5.
+PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job);
 
 }  // namespace lanthorn::tools

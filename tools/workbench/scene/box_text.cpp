@@ -3,7 +3,7 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/load_scene.h"
-#include "tools/workbench/load/comma_numbers.h"
+#include "tools/workbench/scene/comma_numbers.h"
 
 namespace lanthorn::workbench {
 

@@ -1,4 +1,4 @@
-#include "tools/workbench/load/comma_numbers.h"
+#include "tools/workbench/scene/comma_numbers.h"
 
 #include <charconv>
 #include <cmath>
