@@ -68,10 +68,11 @@ void add_bookshelf(Builder& b, const Finishes& f, const std::string& name, const
 }
 
 void add_still_life(Builder& b, const std::string& name, const dvec3& foot) {
-    Outline jug;
-    add_curve(jug, {{0, 0}, {0.05, 0}, {0.085, 0.06}, {0.08, 0.12}, {0.04, 0.18}, {0.05, 0.24}, {0, 0.235}},
-              3);
-    b.solid(name + "-jug", lathe(jug, 16), b.matte(name + "-glaze", {0.09f, 0.2f, 0.19f}, 0.9f), {},
+    Outline jug = {{{0, 0}, {0, -1}}, {{0.05, 0}, {0, -1}}};
+    add_curve(jug, {{0.05, 0}, {0.085, 0.06}, {0.08, 0.12}, {0.04, 0.18}, {0.05, 0.24}}, 6);
+    jug.push_back({{0.05, 0.24}, {0, 1}});
+    jug.push_back({{0, 0.24}, {0, 1}});
+    b.solid(name + "-jug", lathe(jug, 20), b.matte(name + "-glaze", {0.09f, 0.2f, 0.19f}, 0.9f), {},
             at(foot));
     b.solid(
         name + "-books",

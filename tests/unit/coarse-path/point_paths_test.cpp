@@ -123,7 +123,7 @@ TEST(PointPaths, FollowLightsAndPaint) {
     EXPECT_TRUE(same(traced(kept, points, 1), traced(anew, points, 1)));
 }
 
-TEST(PointPaths, AreBuiltAnewWhenSomethingGoes) {
+TEST(PointPaths, AreThoseOfAFreshSceneWhenSomethingGoes) {
     FrameScene scene = room();
     place_block(scene, 2);
     const GridPoints points = points_in_the_room();
@@ -133,10 +133,10 @@ TEST(PointPaths, AreBuiltAnewWhenSomethingGoes) {
     next.instances.pop_back();
     next.changes.moved.clear();
     kept.follow(next);
-    EXPECT_EQ(kept.builds(), 2u);
-    PointPaths anew;
-    anew.follow(next);
-    EXPECT_TRUE(same(traced(kept, points, 1), traced(anew, points, 1)));
+    EXPECT_EQ(kept.builds(), 1u);
+    PointPaths fresh;
+    fresh.follow(next);
+    EXPECT_TRUE(same(traced(kept, points, 1), traced(fresh, points, 1)));
 }
 
 // From inside a closed sphere with a lamp at its centre: the geometric series, at every point.

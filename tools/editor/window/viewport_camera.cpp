@@ -11,7 +11,6 @@
 
 namespace lanthorn::edit_window {
 
-using editor::EditModel;
 using editor::EditSession;
 using workbench::CameraPose;
 
