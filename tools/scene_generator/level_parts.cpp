@@ -73,9 +73,6 @@ void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& c
     const std::uint32_t node =
         b.solid("lantern", cage, f.brass,
                 R"({"lantern":{"handle":0.31)" + (fields.empty() ? "" : "," + fields) + "}}", at(foot));
-    // A stump of a candle, in the shade of the bottom.
-    b.scene.nodes[node].meshes.push_back(
-        b.mesh("candle", box({-0.018, 0.02, -0.018}, {0.018, 0.07, 0.018}), f.plaster));
     add_flame(b, "lantern-light", {0, 0.12, 0}, colour, candela, 0.1, node);
 }
 
