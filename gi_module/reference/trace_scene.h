@@ -84,14 +84,14 @@ class TraceScene {
     // Takes the instances of the next frame's scene, before follow(): those that are gone leave the
     // structure, those that have come get a part of their own from follow(). The others keep theirs, whatever
     // their numbers. Only for Structure::moving. False, and nothing is changed, if all are others or the
-    // origin moved: make it anew. O(instances).
+    // origin moved: build it whole. O(instances).
     bool admit(const FrameScene& scene);
 
     // Becomes the next frame's scene, by what its `changes` say: an instance that moved or deformed has its
     // own part of the structure refitted, one with other triangles has it built anew, the others are left
     // alone. Only for Structure::moving, and with the table that it was made with (which may have been
     // assigned anew). False, and nothing is changed, if instances came or went that were not admitted, or the
-    // origin moved: make it anew. O(instances + vertices that moved); what moved is placed on several
+    // origin moved: build it whole. O(instances + vertices that moved); what moved is placed on several
     // threads.
     bool follow(const FrameScene& scene, const MaterialTable& materials, const ReducedShapes& reduced = {});
 

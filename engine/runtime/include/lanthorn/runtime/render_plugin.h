@@ -53,7 +53,7 @@ struct Renderer {
     const render::FrameRenderer& of(ViewId id) const { return *drawn(id).frame; }
 };
 
-// As long as it lives, what is drawn is drawn for that view: DrawnView::at_work says so to whoever is called
+// As long as it lives, what is drawn is drawn for that view: DrawnView::at_work says so to what is called
 // in the middle of a frame. Passes of views beside the first are timed under the view's name as well.
 class ViewPass {
   public:
