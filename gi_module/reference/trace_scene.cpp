@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
-#include "engine/scene/alpha_coverage.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/ray_log.h"
+#include "gi_module/reference/trace_filter.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/parallel.h"
 #include "lanthorn/scene/instance_shape.h"
@@ -25,9 +24,6 @@ constexpr unsigned kBlendedMask = 2 | 4 | 8;
 // Rounding of a triangle's plane, of a point on it and of Embree's own test, in units of its largest
 // coordinate: a few steps of 2^-23 each, and then some.
 constexpr float kOffset = 0x1p-18f;
-
-// A shadow ray to a light ends this share short of it: what touches the light does not hide it.
-constexpr float kShadowEnd = 1.0f - 1e-5f;
 
 // What moves has its boxes fitted again, which costs less than its tree, and every so many times a tree
 // again: boxes of what has turned or bent lie over each other.
@@ -59,19 +55,6 @@ TraceTriangle describe(const vec3 (&p)[3], float mirror, const vec3& fallback) {
     result.offset = std::max(extent * kOffset, std::numeric_limits<float>::min());
     return result;
 }
-
-}  // namespace
-
-struct TraceScene::FilterData {
-    const MaterialTable* materials;
-    const TraceScene* scene;
-    std::uint32_t instance;
-    bool mask = false;
-    bool blend = false;
-    float nearest = 0;  // metres: nearer to a ray's start it is not met
-};
-
-namespace {
 
 // Fills in what stays of the vertices that are in use, in any pose.
 std::unique_ptr<Mesh> mesh_to_pose(const InstanceShape& shape, const ReducedShape* reduced) {
@@ -143,72 +126,6 @@ TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, 
 void TraceScene::commit() {
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     rtcCommitScene(scene_);
-}
-
-bool TraceScene::admit(const FrameScene& scene) {
-    if (scene.changes.replaced || scene.origin != origin_) {
-        return false;
-    }
-    const auto same_id = [](const TraceInstance& was, const Instance& is) { return was.id == is.id; };
-    if (scene.changes.arrived.empty() && std::ranges::equal(instances_, scene.instances, same_id)) {
-        return true;
-    }
-    std::unordered_map<std::uint32_t, std::size_t> before;
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        before.emplace(instances_[i].id, i);
-    }
-    std::vector<bool> arrived(scene.instances.size(), false);
-    for (const std::uint32_t i : scene.changes.arrived) {
-        arrived[i] = true;
-    }
-    std::vector<Shape> shapes(scene.instances.size());
-    std::vector<TraceInstance> instances(scene.instances.size());
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        instances[i].id = scene.instances[i].id;
-        const auto was = before.find(instances[i].id);
-        if (arrived[i] || was == before.end()) {
-            continue;
-        }
-        shapes[i] = std::move(shapes_[was->second]);
-        instances[i] = std::move(instances_[was->second]);
-        shapes[i].filter->instance = static_cast<std::uint32_t>(i);
-        instance_of_[shapes[i].geometry] = static_cast<std::uint32_t>(i);
-        before.erase(was);
-    }
-    for (const auto& [id, i] : before) {
-        remove(shapes_[i], instances_[i]);
-    }
-    shapes_ = std::move(shapes);
-    instances_ = std::move(instances);
-    admitted_ = true;
-    return true;
-}
-
-void TraceScene::remove(const Shape& shape, const TraceInstance& instance) {
-    if (shape.geometry != kNoGeometry) {
-        rtcDetachGeometry(scene_, shape.geometry);
-        unused_.push_back(shape.geometry);
-    }
-    if (instance.triangle_places > 0) {
-        unused_triangles_.emplace_back(instance.first_triangle, instance.triangle_places);
-    }
-}
-
-std::uint32_t TraceScene::place_for(std::uint32_t count) {
-    const auto fits =
-        std::ranges::find_if(unused_triangles_, [&](const auto& u) { return u.second >= count; });
-    if (fits == unused_triangles_.end()) {
-        const auto first = static_cast<std::uint32_t>(triangles_.size());
-        triangles_.resize(triangles_.size() + count);
-        return first;
-    }
-    const std::uint32_t first = fits->first;
-    fits->first += count;
-    fits->second -= count;
-    if (fits->second == 0) {
-        unused_triangles_.erase(fits);
-    }
-    return first;
 }
 
 bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
@@ -313,9 +230,7 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
     placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
     placed.normals.resize(mesh.vertices.size());
     if (count > placed.triangle_places) {
-        if (placed.triangle_places > 0) {
-            unused_triangles_.emplace_back(placed.first_triangle, placed.triangle_places);
-        }
+        unused_triangles_.give(placed.first_triangle, placed.triangle_places);
         placed.triangle_places = static_cast<std::uint32_t>(count);
         placed.first_triangle = place_for(placed.triangle_places);
     }
@@ -385,132 +300,6 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
     const RTCFilterFunctionN filter = filtered ? pass_left_out : nullptr;
     rtcSetGeometryIntersectFilterFunction(geometry, filter);
     rtcSetGeometryOccludedFilterFunction(geometry, filter);
-}
-
-// Of a masked material where it is cut out, of a blended one where it is not met, of a reduced shape where it
-// is nearer than it is exact.
-void TraceScene::pass_left_out(const RTCFilterFunctionNArguments* arguments) {
-    const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
-    if (data.nearest > 0) {
-        const vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
-                             RTCRayN_dir_y(arguments->ray, arguments->N, 0),
-                             RTCRayN_dir_z(arguments->ray, arguments->N, 0));
-        if (RTCRayN_tfar(arguments->ray, arguments->N, 0) * glm::length(direction) < data.nearest) {
-            *arguments->valid = 0;
-            return;
-        }
-    }
-    const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
-    const vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, 0),
-                           RTCHitN_v(arguments->hit, arguments->N, 0));
-    if (data.mask && data.materials->cut_out(data.scene->instances_[data.instance], primitive, barycentric)) {
-        *arguments->valid = 0;
-    }
-    const auto blended = static_cast<Blended>(RTCRayN_mask(arguments->ray, arguments->N, 0));
-    if (data.blend && blended != Blended::met) {
-        const float alpha =
-            data.materials->alpha(data.scene->instances_[data.instance], primitive, barycentric);
-        const float t = RTCRayN_tfar(arguments->ray, arguments->N, 0);
-        const vec3 p(RTCRayN_org_x(arguments->ray, arguments->N, 0) +
-                         t * RTCRayN_dir_x(arguments->ray, arguments->N, 0),
-                     RTCRayN_org_y(arguments->ray, arguments->N, 0) +
-                         t * RTCRayN_dir_y(arguments->ray, arguments->N, 0),
-                     RTCRayN_org_z(arguments->ray, arguments->N, 0) +
-                         t * RTCRayN_dir_z(arguments->ray, arguments->N, 0));
-        if (blended == Blended::solid ? alpha < kSolidAlpha : alpha <= alpha_threshold(p)) {
-            *arguments->valid = 0;
-        }
-    }
-}
-
-void TraceScene::pass_backs(const RTCFilterFunctionNArguments* arguments) {
-    const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
-    const TraceInstance& instance = data.scene->instances_[data.instance];
-    const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
-    const vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
-                         RTCRayN_dir_y(arguments->ray, arguments->N, 0),
-                         RTCRayN_dir_z(arguments->ray, arguments->N, 0));
-    const bool back =
-        !(glm::dot(data.scene->triangles_[instance.first_triangle + primitive].normal, direction) < 0);
-    if (back && !(*data.materials)[instance.material].double_sided) {
-        *arguments->valid = 0;
-    }
-}
-
-void TraceScene::prefer_front(const vec3& origin, const vec3& direction, Blended blended,
-                              SurfaceHit& hit) const {
-    if (hit.front) {
-        return;
-    }
-    const float tolerance =
-        triangles_[hit.triangle].offset / std::max(glm::length(direction), 1e-30f) + 1e-6f * hit.t;
-    SurfaceHit other;
-    if (intersect(origin, direction, std::max(hit.t - tolerance, 0.0f), hit.t + tolerance, blended, other,
-                  Sides::seen)) {
-        hit = other;
-    }
-}
-
-void TraceScene::intersect_all(std::span<RTCRayHit> queries) const {
-    if (log_ != nullptr) {
-        for (const RTCRayHit& query : queries) {
-            log_->rays.push_back({query.ray, false});
-        }
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    for (RTCRayHit& query : queries) {
-        rtcIntersect1(scene_, &context, &query);
-    }
-}
-
-bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
-                           Blended blended, SurfaceHit& hit, Sides sides) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    if (sides == Sides::seen) {
-        context.filter = pass_backs;
-    }
-    RTCRayHit ray = query(origin, direction, nearest, farthest, blended);
-    if (log_ != nullptr) {
-        log_->rays.push_back({ray.ray, false});
-    }
-    rtcIntersect1(scene_, &context, &ray);
-    return found(ray, hit);
-}
-
-RTCRay TraceScene::shadow_ray(const vec3& from, const vec3& span, bool to_infinity, Blended blended) {
-    return {from.x,
-            from.y,
-            from.z,
-            0,
-            span.x,
-            span.y,
-            span.z,
-            0,
-            to_infinity ? std::numeric_limits<float>::infinity() : kShadowEnd,
-            static_cast<unsigned>(blended),
-            0,
-            0};
-}
-
-void TraceScene::occlude_all(std::span<RTCRay> rays) const {
-    if (log_ != nullptr) {
-        for (const RTCRay& ray : rays) {
-            log_->rays.push_back({ray, true});
-        }
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    for (RTCRay& ray : rays) {
-        rtcOccluded1(scene_, &context, &ray);
-    }
-}
-
-bool TraceScene::occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const {
-    RTCRay ray = shadow_ray(from, span, to_infinity, blended);
-    occlude_all(std::span(&ray, 1));
-    return is_occluded(ray);
 }
 
 }  // namespace lanthorn::reference

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "gi_module/reference/free_ranges.h"
 #include "gi_module/reference/reduced_shape.h"
 #include "lanthorn/scene/frame_scene.h"
 
@@ -175,9 +175,9 @@ class TraceScene {
     std::vector<Shape> shapes_;  // by instance
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
-    std::vector<std::uint32_t> instance_of_;                                 // by Embree's number
-    std::vector<std::uint32_t> unused_;                                      // of those numbers
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> unused_triangles_;  // where, how many
+    std::vector<std::uint32_t> instance_of_;  // by Embree's number
+    std::vector<std::uint32_t> unused_;       // of those numbers
+    FreeRanges unused_triangles_;
     bool admitted_ = false;  // instances have come or gone since the last follow()
     bool has_blended_ = false;
     RayLog* log_ = nullptr;
