@@ -21,19 +21,18 @@ quat random_rotation(double u, double v, double w) {
 SceneData clutter() {
     constexpr std::uint64_t kSeed = 40;
     constexpr int kBoxes = 40;
-    constexpr double kThick = kWallThickness;
     const dvec3 half(3, 2, 3);  // the room, centred on (0, 2, 0)
 
     Builder b;
     const std::uint32_t white = b.matte("white", vec3(0.72f));
     const std::uint32_t wall = b.matte("ochre", {0.65f, 0.5f, 0.25f});
-    const dvec3 out = half + kThick;
-    b.solid("floor", box({-out.x, -kThick, -out.z}, {out.x, 0, out.z}), white);
-    b.solid("ceiling", box({-out.x, 2 * half.y, -out.z}, {out.x, 2 * half.y + kThick, out.z}), white);
-    b.solid("left-wall", box({-out.x, 0, -half.z}, {-half.x, 2 * half.y, half.z}), wall);
-    b.solid("right-wall", box({half.x, 0, -half.z}, {out.x, 2 * half.y, half.z}), white);
-    b.solid("back-wall", box({-out.x, 0, -out.z}, {out.x, 2 * half.y, -half.z}), white);
-    b.solid("front-wall", box({-out.x, 0, half.z}, {out.x, 2 * half.y, out.z}), wall);
+    closed_room(b, {-half.x, 0, -half.z}, {half.x, 2 * half.y, half.z},
+                {.floor = {"floor", white},
+                 .ceiling = {"ceiling", white},
+                 .left = {"left-wall", wall},
+                 .right = {"right-wall", white},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", wall}});
 
     const vec3 palette[] = {{0.7f, 0.12f, 0.1f}, {0.12f, 0.5f, 0.15f}, {0.1f, 0.2f, 0.65f},
                             {0.7f, 0.6f, 0.12f}, {0.6f, 0.25f, 0.6f},  {0.15f, 0.55f, 0.6f},

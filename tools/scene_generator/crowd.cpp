@@ -12,17 +12,17 @@ constexpr int kRows = 10;
 constexpr double kApart = 2.4, kHalf = 13, kHeight = 5;  // metres
 
 void hall(Builder& b) {
-    constexpr double kOuter = kHalf + kWallThickness;
     const std::uint32_t white = b.matte("white", {0.72f, 0.71f, 0.68f});
     const std::uint32_t red = b.matte("red", {0.63f, 0.1f, 0.06f});
     const std::uint32_t green = b.matte("green", {0.12f, 0.45f, 0.1f});
-    b.solid("floor", box({-kOuter, -kWallThickness, -kOuter}, {kOuter, 0, kOuter}), white, kBoxCollider);
-    b.solid("ceiling", box({-kOuter, kHeight, -kOuter}, {kOuter, kHeight + kWallThickness, kOuter}), white,
-            kBoxCollider);
-    b.solid("red-wall", box({-kOuter, 0, -kHalf}, {-kHalf, kHeight, kHalf}), red, kBoxCollider);
-    b.solid("green-wall", box({kHalf, 0, -kHalf}, {kOuter, kHeight, kHalf}), green, kBoxCollider);
-    b.solid("back-wall", box({-kOuter, 0, -kOuter}, {kOuter, kHeight, -kHalf}), white, kBoxCollider);
-    b.solid("front-wall", box({-kOuter, 0, kHalf}, {kOuter, kHeight, kOuter}), white, kBoxCollider);
+    closed_room(b, {-kHalf, 0, -kHalf}, {kHalf, kHeight, kHalf},
+                {.floor = {"floor", white},
+                 .ceiling = {"ceiling", white},
+                 .left = {"red-wall", red},
+                 .right = {"green-wall", green},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", white}},
+                kWallThickness, kBoxCollider);
 }
 
 }  // namespace

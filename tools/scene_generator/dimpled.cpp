@@ -103,17 +103,18 @@ Mesh block(std::uint32_t material) {
 // on four posts above a diffuse floor, 21 k triangles.
 SceneData dimpled() {
     Builder b;
-    constexpr double kRoom = 1.1, kHeight = 1.8, kWall = kRoom + kWallThickness, kAbove = 0.3;
+    constexpr double kRoom = 1.1, kHeight = 1.8, kAbove = 0.3;
     const std::uint32_t floor = b.matte("floor", {0.7f, 0.66f, 0.6f}, 0);
     const std::uint32_t wall = b.matte("wall", {0.66f, 0.65f, 0.63f}, 0);
     const std::uint32_t ochre = b.matte("ochre-wall", {0.62f, 0.38f, 0.1f}, 0);
     const std::uint32_t violet = b.matte("violet-wall", {0.26f, 0.16f, 0.4f}, 0);
-    b.solid("floor", box({-kWall, -kWallThickness, -kWall}, {kWall, 0, kWall}), floor);
-    b.solid("ceiling", box({-kWall, kHeight, -kWall}, {kWall, kHeight + kWallThickness, kWall}), wall);
-    b.solid("ochre-wall", box({-kWall, 0, -kRoom}, {-kRoom, kHeight, kRoom}), ochre);
-    b.solid("violet-wall", box({kRoom, 0, -kRoom}, {kWall, kHeight, kRoom}), violet);
-    b.solid("back-wall", box({-kWall, 0, -kWall}, {kWall, kHeight, -kRoom}), wall);
-    b.solid("front-wall", box({-kWall, 0, kRoom}, {kWall, kHeight, kWall}), wall);
+    closed_room(b, {-kRoom, 0, -kRoom}, {kRoom, kHeight, kRoom},
+                {.floor = {"floor", floor},
+                 .ceiling = {"ceiling", wall},
+                 .left = {"ochre-wall", ochre},
+                 .right = {"violet-wall", violet},
+                 .back = {"back-wall", wall},
+                 .front = {"front-wall", wall}});
 
     const std::uint32_t wood = b.matte("post", {0.3f, 0.2f, 0.13f}, 0);
     int post = 0;

@@ -32,7 +32,7 @@ void chair(Builder& b, const std::string& name, const Transform& place, std::uin
 }  // namespace
 
 SceneData furnished() {
-    constexpr double kHeight = 2.6, t = kWallThickness;
+    constexpr double kHeight = 2.6;
     const dvec3 half(2.5, 0, 2);
     constexpr std::uint64_t kSeed = 7;
 
@@ -44,13 +44,13 @@ SceneData furnished() {
     const std::uint32_t dark = b.matte("dark-wood", {0.22f, 0.13f, 0.08f});
     const std::uint32_t rug = b.matte("rug", {0.5f, 0.14f, 0.14f});
 
-    const dvec3 out = half + t;
-    b.solid("floor", box({-out.x, -t, -out.z}, {out.x, 0, out.z}), floor);
-    b.solid("ceiling", box({-out.x, kHeight, -out.z}, {out.x, kHeight + t, out.z}), white);
-    b.solid("left-wall", box({-out.x, 0, -half.z}, {-half.x, kHeight, half.z}), wall);
-    b.solid("right-wall", box({half.x, 0, -half.z}, {out.x, kHeight, half.z}), white);
-    b.solid("back-wall", box({-out.x, 0, -out.z}, {out.x, kHeight, -half.z}), white);
-    b.solid("front-wall", box({-out.x, 0, half.z}, {out.x, kHeight, out.z}), white);
+    closed_room(b, {-half.x, 0, -half.z}, {half.x, kHeight, half.z},
+                {.floor = {"floor", floor},
+                 .ceiling = {"ceiling", white},
+                 .left = {"left-wall", wall},
+                 .right = {"right-wall", white},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", white}});
 
     // Forty things on two shelves: ten boards, four things each.
     const vec3 palette[] = {{0.7f, 0.12f, 0.1f},   {0.12f, 0.5f, 0.15f}, {0.1f, 0.2f, 0.65f},

@@ -7,16 +7,17 @@ namespace lanthorn::scene_generator {
 // gathers meets the floor near its focus: half the ball's radius behind it for an index of 1.5.
 SceneData glass_ball() {
     Builder b;
-    constexpr double kHalf = 0.8, kHeight = 1.6, kWall = kHalf + kWallThickness, kRadius = 0.3;
+    constexpr double kHalf = 0.8, kHeight = 1.6, kRadius = 0.3;
     const std::uint32_t white = b.matte("white", vec3(0.74f), 0);
     const std::uint32_t red = b.matte("red", {0.6f, 0.06f, 0.05f}, 0);
     const std::uint32_t green = b.matte("green", {0.12f, 0.45f, 0.1f}, 0);
-    b.solid("floor", box({-kWall, -kWallThickness, -kWall}, {kWall, 0, kWall}), white);
-    b.solid("ceiling", box({-kWall, kHeight, -kWall}, {kWall, kHeight + kWallThickness, kWall}), white);
-    b.solid("red-wall", box({-kWall, 0, -kHalf}, {-kHalf, kHeight, kHalf}), red);
-    b.solid("green-wall", box({kHalf, 0, -kHalf}, {kWall, kHeight, kHalf}), green);
-    b.solid("back-wall", box({-kWall, 0, -kWall}, {kWall, kHeight, -kHalf}), white);
-    b.solid("front-wall", box({-kWall, 0, kHalf}, {kWall, kHeight, kWall}), white);
+    closed_room(b, {-kHalf, 0, -kHalf}, {kHalf, kHeight, kHalf},
+                {.floor = {"floor", white},
+                 .ceiling = {"ceiling", white},
+                 .left = {"red-wall", red},
+                 .right = {"green-wall", green},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", white}});
 
     b.solid("ball", icosphere(kRadius, 5), b.glass("glass", 1.5f, static_cast<float>(2 * kRadius)), {},
             at({0.1, 0.42, -0.05}));

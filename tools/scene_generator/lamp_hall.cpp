@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/scene_generator/builder.h"
+#include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/scene_generator/uniform.h"
 
@@ -20,13 +21,14 @@ void add_hall(Builder& b) {
     const std::uint32_t floor = b.matte("boards", {0.5f, 0.4f, 0.3f});
     const std::uint32_t red = b.matte("red", {0.6f, 0.15f, 0.1f});
     const std::uint32_t stone = b.matte("stone", vec3(0.55f));
-    constexpr double kOut = kHalf + 0.3;
-    b.solid("floor", box({-kOut, -0.3, -kOut}, {kOut, 0, kOut}), floor);
-    b.solid("ceiling", box({-kOut, kHeight, -kOut}, {kOut, kHeight + 0.3, kOut}), white);
-    b.solid("left-wall", box({-kOut, 0, -kHalf}, {-kHalf, kHeight, kHalf}), red);
-    b.solid("right-wall", box({kHalf, 0, -kHalf}, {kOut, kHeight, kHalf}), white);
-    b.solid("back-wall", box({-kOut, 0, -kOut}, {kOut, kHeight, -kHalf}), white);
-    b.solid("front-wall", box({-kOut, 0, kHalf}, {kOut, kHeight, kOut}), white);
+    closed_room(b, {-kHalf, 0, -kHalf}, {kHalf, kHeight, kHalf},
+                {.floor = {"floor", floor},
+                 .ceiling = {"ceiling", white},
+                 .left = {"left-wall", red},
+                 .right = {"right-wall", white},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", white}},
+                0.3);
     const std::uint32_t column = b.mesh("column", cylinder(0.5, kHeight, 24), stone);
     const std::uint32_t block = b.mesh("block", box({-0.8, 0, -0.8}, {0.8, 1.2, 0.8}), red);
     for (int i = 0; i < 16; ++i) {

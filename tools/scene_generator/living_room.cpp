@@ -184,20 +184,20 @@ void sideboard(Builder& b, const dvec3& p) {
 // under the ball.
 SceneData living_room() {
     Builder b;
-    constexpr double kX = 2.6, kZ = 2.2, kHeight = 2.6, kWall = kWallThickness;
+    constexpr double kX = 2.6, kZ = 2.2, kHeight = 2.6;
     const std::uint32_t floor = b.matte("floorboards", vec3(1));
     b.scene.materials[floor].roughness = 0.25f;
     b.texture(floor, 256, 1.4, boards);
     const std::uint32_t plaster = b.matte("walls", {0.74f, 0.71f, 0.65f}, 0);
     const std::uint32_t green = b.matte("green-wall", {0.16f, 0.27f, 0.2f}, 0);
     const std::uint32_t white = b.matte("ceiling", vec3(0.78f), 0);
-    b.solid("floor", box({-kX - kWall, -kWall, -kZ - kWall}, {kX + kWall, 0, kZ + kWall}), floor);
-    b.solid("ceiling", box({-kX - kWall, kHeight, -kZ - kWall}, {kX + kWall, kHeight + kWall, kZ + kWall}),
-            white);
-    b.solid("left-wall", box({-kX - kWall, 0, -kZ}, {-kX, kHeight, kZ}), plaster);
-    b.solid("right-wall", box({kX, 0, -kZ}, {kX + kWall, kHeight, kZ}), plaster);
-    b.solid("back-wall", box({-kX - kWall, 0, -kZ - kWall}, {kX + kWall, kHeight, -kZ}), green);
-    b.solid("front-wall", box({-kX - kWall, 0, kZ}, {kX + kWall, kHeight, kZ + kWall}), plaster);
+    closed_room(b, {-kX, 0, -kZ}, {kX, kHeight, kZ},
+                {.floor = {"floor", floor},
+                 .ceiling = {"ceiling", white},
+                 .left = {"left-wall", plaster},
+                 .right = {"right-wall", plaster},
+                 .back = {"back-wall", green},
+                 .front = {"front-wall", plaster}});
 
     const std::uint32_t woven = b.matte("rug", vec3(1), 0);
     b.texture(woven, 256, 2, rug);

@@ -10,18 +10,18 @@ constexpr double kSide = 2.6, kHeight = 2.8;  // of the room inside: 5.2 x 2.8 x
 
 // Four walls of different colours.
 void room(Builder& b) {
-    constexpr double kOuter = kSide + kWallThickness;
     const std::uint32_t white = b.matte("white", {0.74f, 0.73f, 0.7f});
     const std::uint32_t red = b.matte("red", {0.63f, 0.07f, 0.05f});
     const std::uint32_t green = b.matte("green", {0.12f, 0.45f, 0.1f});
     const std::uint32_t blue = b.matte("blue", {0.12f, 0.2f, 0.6f});
-    b.solid("floor", box({-kOuter, -kWallThickness, -kOuter}, {kOuter, 0, kOuter}), white, kBoxCollider);
-    b.solid("ceiling", box({-kOuter, kHeight, -kOuter}, {kOuter, kHeight + kWallThickness, kOuter}), white,
-            kBoxCollider);
-    b.solid("red-wall", box({-kOuter, 0, -kSide}, {-kSide, kHeight, kSide}), red, kBoxCollider);
-    b.solid("green-wall", box({kSide, 0, -kSide}, {kOuter, kHeight, kSide}), green, kBoxCollider);
-    b.solid("blue-wall", box({-kOuter, 0, -kOuter}, {kOuter, kHeight, -kSide}), blue, kBoxCollider);
-    b.solid("white-wall", box({-kOuter, 0, kSide}, {kOuter, kHeight, kOuter}), white, kBoxCollider);
+    closed_room(b, {-kSide, 0, -kSide}, {kSide, kHeight, kSide},
+                {.floor = {"floor", white},
+                 .ceiling = {"ceiling", white},
+                 .left = {"red-wall", red},
+                 .right = {"green-wall", green},
+                 .back = {"blue-wall", blue},
+                 .front = {"white-wall", white}},
+                kWallThickness, kBoxCollider);
 }
 
 }  // namespace

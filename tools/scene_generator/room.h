@@ -10,6 +10,22 @@ namespace lanthorn::scene_generator {
 
 inline constexpr double kWallThickness = 0.15;
 
+// One of the six slabs of a closed room.
+struct RoomSlab {
+    std::string name;
+    std::uint32_t material;
+};
+
+struct RoomSlabs {
+    RoomSlab floor, ceiling, left, right, back, front;  // left: at the least x; back: at the least z
+};
+
+// Six nodes around the box from `low` to `high`, in the order of RoomSlabs, each a closed box `thickness`
+// thick: floor and ceiling lie under and over the walls, back and front end the walls between them. `extras`:
+// of each node, JSON.
+void closed_room(Builder& b, const dvec3& low, const dvec3& high, const RoomSlabs& slabs,
+                 double thickness = kWallThickness, const std::string& extras = {});
+
 // A wall in the plane x = 0 (its middle) with a doorway that is centred on z = 0.
 struct Doorway {
     double width = 0.9;

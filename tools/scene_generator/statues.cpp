@@ -74,17 +74,17 @@ RiggedShape twisted() {
 
 SceneData statues() {
     Builder b;
-    constexpr double kX = 2.2, kBack = -1.5, kFront = 3.2, kHeight = 2.8, kWall = kWallThickness;
+    constexpr double kX = 2.2, kBack = -1.5, kFront = 3.2, kHeight = 2.8;
     const std::uint32_t white = b.matte("white", {0.77f, 0.75f, 0.71f}, 0);
     const std::uint32_t red = b.matte("red", {0.72f, 0.12f, 0.07f}, 0);
     const std::uint32_t green = b.matte("green", {0.14f, 0.42f, 0.16f}, 0);
-    b.solid("floor", box({-kX - kWall, -kWall, kBack - kWall}, {kX + kWall, 0, kFront + kWall}), white);
-    b.solid("ceiling",
-            box({-kX - kWall, kHeight, kBack - kWall}, {kX + kWall, kHeight + kWall, kFront + kWall}), white);
-    b.solid("red-wall", box({-kX - kWall, 0, kBack}, {-kX, kHeight, kFront}), red);
-    b.solid("green-wall", box({kX, 0, kBack}, {kX + kWall, kHeight, kFront}), green);
-    b.solid("back-wall", box({-kX - kWall, 0, kBack - kWall}, {kX + kWall, kHeight, kBack}), white);
-    b.solid("front-wall", box({-kX - kWall, 0, kFront}, {kX + kWall, kHeight, kFront + kWall}), white);
+    closed_room(b, {-kX, 0, kBack}, {kX, kHeight, kFront},
+                {.floor = {"floor", white},
+                 .ceiling = {"ceiling", white},
+                 .left = {"red-wall", red},
+                 .right = {"green-wall", green},
+                 .back = {"back-wall", white},
+                 .front = {"front-wall", white}});
 
     const std::uint32_t stone = b.matte("stone", {0.7f, 0.68f, 0.64f}, 0);
     const std::uint32_t clay = b.matte("clay", {0.62f, 0.4f, 0.27f}, 0);

@@ -33,17 +33,17 @@ Shape top() {
 
 SceneData toys() {
     Builder b;
-    constexpr double kX = 1.3, kBack = -1.0, kFront = 1.8, kHeight = 1.9, kWall = kWallThickness;
+    constexpr double kX = 1.3, kBack = -1.0, kFront = 1.8, kHeight = 1.9;
     const std::uint32_t cream = b.matte("cream", {0.76f, 0.72f, 0.64f}, 0);
     const std::uint32_t sky = b.matte("sky", {0.3f, 0.5f, 0.68f}, 0);
     const std::uint32_t boards = b.matte("boards", {0.52f, 0.36f, 0.22f}, 0);
-    b.solid("floor", box({-kX - kWall, -kWall, kBack - kWall}, {kX + kWall, 0, kFront + kWall}), boards);
-    b.solid("ceiling",
-            box({-kX - kWall, kHeight, kBack - kWall}, {kX + kWall, kHeight + kWall, kFront + kWall}), cream);
-    b.solid("left-wall", box({-kX - kWall, 0, kBack}, {-kX, kHeight, kFront}), sky);
-    b.solid("right-wall", box({kX, 0, kBack}, {kX + kWall, kHeight, kFront}), cream);
-    b.solid("back-wall", box({-kX - kWall, 0, kBack - kWall}, {kX + kWall, kHeight, kBack}), cream);
-    b.solid("front-wall", box({-kX - kWall, 0, kFront}, {kX + kWall, kHeight, kFront + kWall}), cream);
+    closed_room(b, {-kX, 0, kBack}, {kX, kHeight, kFront},
+                {.floor = {"floor", boards},
+                 .ceiling = {"ceiling", cream},
+                 .left = {"left-wall", sky},
+                 .right = {"right-wall", cream},
+                 .back = {"back-wall", cream},
+                 .front = {"front-wall", cream}});
 
     const std::array<std::uint32_t, 5> paint = {
         b.matte("red", {0.66f, 0.09f, 0.07f}, 0), b.matte("yellow", {0.75f, 0.55f, 0.08f}, 0),
