@@ -390,6 +390,10 @@ TEST(TradeReports, DrawingHasTimeMemoryAndSpread) {
     EXPECT_NE(svg.find("100 GPU MB, relRMSE 0.5"), std::string::npos);
     EXPECT_NE(svg.find(">all seeds</text>"), std::string::npos);
     EXPECT_NE(svg.find(">gi.photons</text>"), std::string::npos) << "of two values";
+    const std::string times = trade_svg(results, {}, TradeDrawing::time);
+    EXPECT_NE(times.find("10 ms, relRMSE 0.5"), std::string::npos);
+    EXPECT_EQ(times.find("GPU MB"), std::string::npos);
+    EXPECT_NE(times.find("class=\"spread\""), std::string::npos);
     results.pop_back();
     EXPECT_NE(trade_svg(results, {}).find(">gi.photons=10</text>"), std::string::npos) << "of one";
 }

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options : TradeOptions {
+struct TradeArguments : TradeOptions {
     AdviceOptions advice;
     std::vector<std::string> motions = {"light"};
 };
@@ -90,6 +90,7 @@ void write_reports(const TradeFolder& folder, const TradeOptions& options,
     const TradeContext context = context_of(options, results);
     write_file(folder.file("trade.csv"), trade_csv(results));
     write_file(folder.file("trade.svg"), trade_svg(results, context));
+    write_file(folder.file("trade-time.svg"), trade_svg(results, context, TradeDrawing::time));
     write_file(folder.file("trade.html"), trade_html(results, context));
 }
 
@@ -122,7 +123,7 @@ std::vector<TradeResult> without_seeds(const std::vector<TradeResult>& results, 
 
 // Has the points that are missing measured by other processes, and says of each what became of it.
 PointRunner measured_by_others(const std::vector<TradePoint>& points, const std::vector<fs::path>& stems,
-                               const Options& options, const TradeFolder& folder,
+                               const TradeArguments& options, const TradeFolder& folder,
                                const SettingsSchema& schema) {
     constexpr double kStartSeconds = 5, kFrameSeconds = 0.5;
     std::vector<suite::FarmTask> tasks;
@@ -150,7 +151,7 @@ PointRunner measured_by_others(const std::vector<TradePoint>& points, const std:
     };
 }
 
-ExitCode trade(Options options) {
+ExitCode trade(TradeArguments options) {
     if (!options.advice.from.empty()) {
         if (!options.output.empty()) {
             throw InputError(
@@ -232,7 +233,7 @@ ExitCode measure_point(PointOptions options) {
 }  // namespace
 
 Command add_trade(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TradeArguments>();
     Sweep& sweep = options->sweep;
     sweep.techniques = gi::technique_names();
     sweep.presets.assign(kPresetNames.begin(), kPresetNames.end());
@@ -243,10 +244,10 @@ Command add_trade(CLI::App& app) {
         "SCENE", sweep.scenes,
         "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras; with --from: names of "
         "scenes of that chart (default: all)");
-    command->add_option(
-        "-o,--output", options->output,
-        "folder for trade.csv, trade.svg, trade.html and, below it, what is finished: the same command "
-        "again measures only what is missing");
+    command->add_option("-o,--output", options->output,
+                        "folder for trade.csv, trade.svg, trade-time.svg, trade.html and, below it, what is "
+                        "finished: the same command "
+                        "again measures only what is missing");
     add_advice_options(*command, options->advice);
     command
         ->add_option(

@@ -44,7 +44,8 @@ TradeFolder::TradeFolder(const TradeOptions& options) : options_(options), folde
             throw InputError(path.string(), "", "cannot be made: " + error.message());
         }
     }
-    for (const char* name : {"trade.csv", "trade.svg", "trade.html", "points/probe", "references/probe"}) {
+    for (const char* name :
+         {"trade.csv", "trade.svg", "trade-time.svg", "trade.html", "points/probe", "references/probe"}) {
         check_writable(folder_ / name);
     }
     for (const std::string& scene : options.sweep.scenes) {

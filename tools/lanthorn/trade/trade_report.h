@@ -44,9 +44,12 @@ std::string trade_csv(const std::vector<TradeResult>& results);
 std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
                         const TradeMeasure& measure, const TradeAxis& axis = trade_axes().front());
 
-// All scenes' charts under each other, by the first measure: against time and, beside it, GPU memory; of
-// several seeds the least and the largest error.
-std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context);
+enum class TradeDrawing { time_and_memory, time };
+
+// All scenes' charts, two a row, by the first measure, with the least and the largest error of several seeds:
+// against time and, beside it, GPU memory; or against time alone.
+std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context,
+                      TradeDrawing drawing = TradeDrawing::time_and_memory);
 
 // One page that needs nothing else: charts with pictures on hover, and a table to sort.
 std::string trade_html(const std::vector<TradeResult>& results, const TradeContext& context);

@@ -367,32 +367,36 @@ std::string trade_chart(const std::vector<TradeResult>& results, const std::stri
                   axis.about));
 }
 
-std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context) {
+std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context,
+                      TradeDrawing drawing) {
     constexpr double kLine = 17;
     const TradeMeasure& measure = trade_measures().front();
     const Marks marks(results);
     const double width = 2 * kPanel.width;
+    const std::size_t axes = drawing == TradeDrawing::time_and_memory ? 2 : 1;
     std::string panels;
     std::vector<const TradeResult*> shown;
-    double top = 0;
+    std::size_t count = 0;  // of panels, two a row
     for (const std::string& scene : scenes_of(results)) {
-        for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t a = 0; a < axes; ++a, ++count) {
             const TradeAxis& axis = trade_axes()[a];
             const Chart chart(results, scene, measure, axis, marks, kPanel);
             panels += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
-                                  kPanel.width * static_cast<double>(a), top,
+                                  kPanel.width * static_cast<double>(count % 2),
+                                  kPanel.height * static_cast<double>(count / 2),
                                   chart.draw(a == 0 ? scene_name(results, scene) : "", axis.name));
             std::ranges::copy(chart.shown(), std::back_inserter(shown));
         }
-        top += kPanel.height;
     }
-    top += 14;
+    double top = kPanel.height * static_cast<double>((count + 1) / 2) + 14;
     std::string foot = legend_in_rows(marks.legend(shown), width, top);
-    for (const std::string& line :
-         {fmt::format("{}: {}", measure.name, measure.about),
-          fmt::format("{}: {}; {}: {}", trade_axes()[0].name, trade_axes()[0].about, trade_axes()[1].name,
-                      trade_axes()[1].about),
-          context.method, context.reference, context.machine + "; " + context.renderer, context.build}) {
+    std::vector<std::string> lines = {fmt::format("{}: {}", measure.name, measure.about)};
+    for (std::size_t a = 0; a < axes; ++a) {
+        lines.push_back(fmt::format("{}: {}", trade_axes()[a].name, trade_axes()[a].about));
+    }
+    lines.insert(lines.end(), {context.method, context.reference, context.machine + "; " + context.renderer,
+                               context.build});
+    for (const std::string& line : lines) {
         foot += fmt::format("<text x=\"{}\" y=\"{}\" class=\"foot\">{}</text>\n", kPanel.left, top,
                             xml_text(line));
         top += kLine;
