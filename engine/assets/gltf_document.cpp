@@ -5,11 +5,7 @@
 
 namespace lanthorn {
 
-namespace {
-
-constexpr std::uint32_t kBinChunk = 0x004e4942;  // "BIN"
-
-}  // namespace
+namespace {}  // namespace
 
 GltfDocument::GltfDocument() : state_(std::make_unique<State>()) {}
 GltfDocument::GltfDocument(const GltfDocument& other) : state_(std::make_unique<State>(*other.state_)) {}

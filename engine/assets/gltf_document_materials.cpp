@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "engine/assets/gltf_document_state.h"
@@ -14,7 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kNoLimit = std::numeric_limits<float>::max();
 constexpr float kIorOfZero = 1e3f;  // KHR_materials_ior: 0 stands for an infinite index
 constexpr const char* kAlphaModes[] = {"OPAQUE", "MASK", "BLEND"};
 

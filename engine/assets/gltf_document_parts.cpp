@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kNoLimit = std::numeric_limits<float>::max();
-
 void set_number(JsonText& object, const char* key, float value) {
     patch(object, key, plain_number(value), Json());
 }

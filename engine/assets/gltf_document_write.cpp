@@ -20,9 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
-constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
-
 void append_u32(std::string& out, std::uint64_t value) {
     for (int shift = 0; shift < 32; shift += 8) {
         out.push_back(static_cast<char>(value >> shift));

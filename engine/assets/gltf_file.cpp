@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;      // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
-constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
+constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
     return std::uint32_t{bytes[offset]} | std::uint32_t{bytes[offset + 1]} << 8 |

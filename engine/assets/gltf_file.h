@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,13 @@
 #include "lanthorn/assets/import_budget.h"
 
 namespace lanthorn {
+
+// Types of a .glb's chunks.
+inline constexpr std::uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
+inline constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
+
+// The end of a range that has none: numbers are read as floats.
+inline constexpr double kNoLimit = std::numeric_limits<float>::max();
 
 struct GltfFile {
     std::string name;              // as the user wrote it, for messages

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <set>
 
 #include "engine/assets/gltf_context.h"
@@ -11,7 +10,6 @@ namespace lanthorn {
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<float>::max();
 constexpr double kIorOfZero = 1e3;  // KHR_materials_ior: 0 stands for an infinite index
 
 // The numbers of an extension object, which check_gltf() has checked.

@@ -80,7 +80,6 @@ Camera import_camera(const GltfContext& context, std::size_t index) {
 Light import_light(const GltfContext& context, std::size_t index) {
     const tinygltf::Light& source = context.model.lights[index];
     const std::string place = fmt::format("/extensions/KHR_lights_punctual/lights/{}", index);
-    constexpr double kNoLimit = std::numeric_limits<float>::max();
     Light light;
     light.type = source.type == "directional" ? LightType::directional
                  : source.type == "spot"      ? LightType::spot

@@ -1,5 +1,5 @@
-// What most sources include, compiled once a library (a precompiled header): include it nowhere, and in a
-// source whatever it uses.
+// What most sources include, compiled once for all libraries (a precompiled header): include it nowhere, and
+// in a source whatever it uses.
 #pragma once
 
 #include <fmt/format.h>

@@ -19,6 +19,10 @@ constexpr ChunkKind chunk_kind(const char (&letters)[5]) {
     }
     return static_cast<ChunkKind>(number);
 }
+// A recording begins with its head, has its steps in pieces, and ends with what says that it is whole.
+inline constexpr ChunkKind kHead = chunk_kind("HEAD");
+inline constexpr ChunkKind kSteps = chunk_kind("STEP");
+inline constexpr ChunkKind kDone = chunk_kind("DONE");
 // "SNAP"; what is no printable letter as '?'.
 std::string letters_of(ChunkKind kind);
 

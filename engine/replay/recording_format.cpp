@@ -12,7 +12,6 @@ namespace lanthorn::replay {
 namespace {
 
 constexpr std::string_view kMagic = "LANTHREC";
-constexpr ChunkKind kHead = chunk_kind("HEAD"), kSteps = chunk_kind("STEP"), kDone = chunk_kind("DONE");
 constexpr double kPackedSeconds = 10;  // of a chunk of steps
 
 void read_steps(const Reader& file, const Chunk& chunk, Recording& recording) {

@@ -9,8 +9,6 @@ namespace lanthorn::replay {
 
 namespace {
 
-constexpr ChunkKind kHead = chunk_kind("HEAD"), kSteps = chunk_kind("STEP"), kDone = chunk_kind("DONE");
-
 struct ChunkV2 {
     ChunkKind kind;
     std::size_t begin;  // of the body, in the file

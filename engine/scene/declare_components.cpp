@@ -12,7 +12,7 @@ namespace {
 using ecs::field;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kMostValue = std::numeric_limits<double>::max();
 
 void declare_transforms(ecs::Registry& registry) {
     registry.structure("transform",
@@ -67,8 +67,8 @@ void declare_looks(ecs::Registry& registry) {
 void declare_light(ecs::Registry& registry) {
     registry.structure(
         "light_data", field("type", &Light::type).choices({"directional", "point", "spot"}),
-        field("colour", &Light::colour).range(0, kMost).words("linear RGB"),
-        field("intensity", &Light::intensity).unit("cd").range(0, kMost).words("lux if directional"),
+        field("colour", &Light::colour).range(0, kMostValue).words("linear RGB"),
+        field("intensity", &Light::intensity).unit("cd").range(0, kMostValue).words("lux if directional"),
         field("range", &Light::range).unit("m").range(0, kInfinity).words("where it is cut off"),
         field("inner_cone", &Light::inner_cone).unit("rad").range(0, 1.5708).words("less than the outer"),
         field("outer_cone", &Light::outer_cone).unit("rad").range(0, 1.5708).words("of a spot light"));
@@ -77,8 +77,8 @@ void declare_light(ecs::Registry& registry) {
                                    field("light", &LightComponent::light).flat())
         .not_in_extras();
     registry.structure("sky_data", field("image", &Sky::image).opaque(), field("light", &Sky::light).opaque(),
-                       field("colour", &Sky::colour).range(0, kMost).words("a factor, linear RGB"),
-                       field("intensity", &Sky::intensity).range(0, kMost).words("a factor"));
+                       field("colour", &Sky::colour).range(0, kMostValue).words("a factor, linear RGB"),
+                       field("intensity", &Sky::intensity).range(0, kMostValue).words("a factor"));
     registry
         .component<SkyComponent>("sky", "light from far away all around, turned with its node",
                                  field("sky", &SkyComponent::sky).flat())
@@ -87,15 +87,15 @@ void declare_light(ecs::Registry& registry) {
                                  "the sky of a clear day about the sun that its node's directional light is",
                                  field("turbidity", &ClearSky::turbidity).range(2, 10).words("clear to hazy"),
                                  field("intensity", &ClearSky::intensity)
-                                     .range(0, kMost)
+                                     .range(0, kMostValue)
                                      .words("a factor; 1: as that day's beside its sun"));
     registry.structure(
         "camera_data", field("orthographic", &Camera::orthographic),
         field("y_fov", &Camera::y_fov).unit("rad").more_than(0, 3.1416).words("of a perspective camera"),
         field("x_mag", &Camera::x_mag).unit("m").words("half width of an orthographic one"),
         field("y_mag", &Camera::y_mag).unit("m").words("half height of an orthographic one"),
-        field("z_near", &Camera::z_near).unit("m").range(0, kMost),
-        field("z_far", &Camera::z_far).unit("m").range(0, kMost).words("0: infinite"));
+        field("z_near", &Camera::z_near).unit("m").range(0, kMostValue),
+        field("z_far", &Camera::z_far).unit("m").range(0, kMostValue).words("0: infinite"));
     registry
         .component<CameraComponent>("camera", "looks along its node's -Z",
                                     field("camera", &CameraComponent::camera).flat())
@@ -113,11 +113,11 @@ void declare_light(ecs::Registry& registry) {
         "how bright it is to be in a box around its node, or what the sensor beside it is to read; nothing "
         "reads it "
         "but the editor and `lanthorn measure contracts`",
-        field("lower", &LightContract::lower).unit("lux").range(0, kMost).words("at least"),
-        field("upper", &LightContract::upper).unit("lux").range(0, kMost).words("at most; 0: no limit"),
+        field("lower", &LightContract::lower).unit("lux").range(0, kMostValue).words("at least"),
+        field("upper", &LightContract::upper).unit("lux").range(0, kMostValue).words("at most; 0: no limit"),
         field("size", &LightContract::size)
             .unit("m")
-            .range(0, kMost)
+            .range(0, kMostValue)
             .words("of the box, along the node's axes"),
         field("share", &LightContract::share).range(0, 1).words("of the surfaces' area that must be within"));
 }

@@ -16,7 +16,7 @@ constexpr double kFootstep = 0.4;     // metres between two places of the trail
 constexpr std::size_t kLongest = 64;  // places
 constexpr double kFeels = 0.7;        // metres ahead
 constexpr double kYields = 0.65;      // metres from the player at which it steps back
-constexpr double kTakeUp = 0.1;       // of the difference to a new velocity that a step takes up
+constexpr double kWishTakeUp = 0.1;   // of the difference to a new velocity that a step takes up
 
 class Feet {
   public:
@@ -118,7 +118,7 @@ void follow_player(Res<Intent> intent, Res<SharedPhysics> physics, ecs::Lookup<R
         } else if (follower.follows && !waits && glm::length(way) > 0.05) {
             wish = feet.steer(place, glm::normalize(way)) * follower.speed;
         }
-        follower.velocity += kTakeUp * (wish - follower.velocity);
+        follower.velocity += kWishTakeUp * (wish - follower.velocity);
         if (wish == dvec3(0) && glm::length(follower.velocity) < 1e-2) {
             follower.velocity = dvec3(0);
             return;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kHandAhead = 0.42;  // metres from the eye
 constexpr double kHandAside = 0.24;
 constexpr double kHandBelow = 0.34;
-constexpr double kRadius = 0.1;           // metres, of a lantern
+constexpr double kLanternRadius = 0.1;    // metres, of a lantern
 constexpr double kPendulum = 9.81 / 0.3;  // 1 / s^2
 constexpr double kPendulumDamping = 4;    // 1 / s
 constexpr double kMaxSway = 0.45;         // radians
@@ -27,10 +27,11 @@ dvec3 hand_of(const Intent& intent, const physics::Physics& physics, double hand
     const dvec3 right = glm::cross(intent.facing, dvec3(0, 1, 0));
     const dvec3 out = intent.facing * kHandAhead + right * kHandAside;
     const dvec3 down(0, 0.5 * handle, 0);
-    const double share = physics
-                             .sweep_sphere(shoulder - down, shoulder + out - down,
-                                           std::max(kRadius, 0.5 * handle), std::span(&intent.player, 1))
-                             .share;
+    const double share =
+        physics
+            .sweep_sphere(shoulder - down, shoulder + out - down, std::max(kLanternRadius, 0.5 * handle),
+                          std::span(&intent.player, 1))
+            .share;
     return shoulder + share * out;
 }
 
@@ -53,11 +54,11 @@ void hang(Lantern& lantern, const dvec3& hand) {
 
 // Onto the highest thing below, else onto the floor.
 void put_down(Lantern& lantern, Transform& at, const Intent& intent, const physics::Physics& physics) {
-    constexpr double kLift = 2 * kRadius;
+    constexpr double kLift = 2 * kLanternRadius;
     const dvec3 from = at.translation + dvec3(0, kLift, 0);
     const dvec3 to(from.x, intent.feet.y - kLift, from.z);
-    const physics::Sweep below = physics.sweep_sphere(from, to, kRadius, std::span(&intent.player, 1));
-    const double floor = below.met ? glm::mix(from.y, to.y, below.share) - kRadius : intent.feet.y;
+    const physics::Sweep below = physics.sweep_sphere(from, to, kLanternRadius, std::span(&intent.player, 1));
+    const double floor = below.met ? glm::mix(from.y, to.y, below.share) - kLanternRadius : intent.feet.y;
     lantern.carried = false;
     lantern.sway = lantern.sway_speed = glm::dvec2(0);
     lantern.hand_velocity = dvec3(0);

@@ -6,7 +6,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-void wait_for_images() {
+void wait_for_level() {
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -36,7 +36,7 @@ const gpu::Texture& SvgfFilter::filter(const render::FrameInputs& inputs, ivec2 
     planes_program_.set("cells", cells);
     planes_.bind_image(0, GL_WRITE_ONLY);
     planes_program_.dispatch(cells, ivec2(8));
-    wait_for_images();
+    wait_for_level();
 
     variance_program_.use();
     inputs.camera.set(variance_program_);
@@ -48,7 +48,7 @@ const gpu::Texture& SvgfFilter::filter(const render::FrameInputs& inputs, ivec2 
     light_[0].bind_image(0, GL_WRITE_ONLY);
     guide_.bind_image(1, GL_WRITE_ONLY);
     variance_program_.dispatch(cells, ivec2(8));
-    wait_for_images();
+    wait_for_level();
 
     guide_.bind(5);
     for (int level = 0; level < levels; ++level) {
@@ -65,7 +65,7 @@ const gpu::Texture& SvgfFilter::filter(const render::FrameInputs& inputs, ivec2 
         program.set("step_size", 1 << level);
         light_[1].bind_image(0, GL_WRITE_ONLY);
         program.dispatch(cells, ivec2(8));
-        wait_for_images();
+        wait_for_level();
         std::swap(light_[0], light_[1]);
     }
     return light_[0];

@@ -20,7 +20,7 @@ namespace {
 
 const std::vector<std::string> kFinals = {"splat", "gather"};
 
-struct Options {
+struct BenchOptions {
     std::vector<std::string> scenes, finals = kFinals, sizes = {"512x512", "1024x1024"};
     std::string share = "1";
     SettingsChoice settings;
@@ -162,7 +162,7 @@ nlohmann::ordered_json row_json(const PaperRow& row, double share, std::uint64_t
             {"runs", std::move(runs)}};
 }
 
-ExitCode run(Options options) {
+ExitCode run(BenchOptions options) {
     options.job.moving = options.job.moving || options.full;
     const double share = parse_share(options.share);
     const std::vector<const PaperRow*> rows = rows_of(options.scenes);
@@ -232,7 +232,7 @@ ExitCode run(Options options) {
 }  // namespace
 
 Command add_bench(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchOptions>();
     CLI::App* bench = app.add_subcommand("bench", "Speed beside what others have published.");
     CLI::App* paper = bench->add_subcommand(
         "paper",

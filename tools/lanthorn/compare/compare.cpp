@@ -27,7 +27,7 @@ constexpr const char* kMetrics[] = {"relrmse", "rmse", "mae",  "max",  "flux",
 
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
-struct Options {
+struct CompareOptions {
     std::string image, reference, mask, heatmap;
     std::string metric = "relrmse";
     std::optional<double> max, min;
@@ -57,7 +57,7 @@ bool nowhere_negative(const ImageF& image) {
     return std::ranges::none_of(image.pixels, [](float v) { return v < 0; });
 }
 
-void check_encoding(const Options& options, const ImageF& image, const ImageF& reference) {
+void check_encoding(const CompareOptions& options, const ImageF& image, const ImageF& reference) {
     if (image.linear != reference.linear) {
         const bool linear = image.linear;
         throw InputError(
@@ -68,7 +68,7 @@ void check_encoding(const Options& options, const ImageF& image, const ImageF& r
 }
 
 // What wrote the images says of which scene they are, camera and lights taken in.
-void check_scene(const Options& options, const ImageF& image, const ImageF& reference) {
+void check_scene(const CompareOptions& options, const ImageF& image, const ImageF& reference) {
     const auto a = image.metadata.find("scene"), b = reference.metadata.find("scene");
     if (!options.any_scene && a != image.metadata.end() && b != reference.metadata.end() &&
         a->second != b->second) {
@@ -79,7 +79,7 @@ void check_scene(const Options& options, const ImageF& image, const ImageF& refe
     }
 }
 
-PixelMask read_mask(const Options& options, const ImageF& reference) {
+PixelMask read_mask(const CompareOptions& options, const ImageF& reference) {
     if (options.mask.empty()) {
         return {};
     }
@@ -168,8 +168,9 @@ void print_table(const Comparison& c, const std::vector<NamedValue>& values) {
 
 // The chosen metric's own map, else the error relative to the reference's mean: white is 1 or more. Black
 // where the mask does not look.
-ImageF error_map(const Options& options, const ImageF& image, const ImageF& reference, const Comparison& c,
-                 const Seen& seen, std::vector<float> similarity, const PixelMask& mask) {
+ImageF error_map(const CompareOptions& options, const ImageF& image, const ImageF& reference,
+                 const Comparison& c, const Seen& seen, std::vector<float> similarity,
+                 const PixelMask& mask) {
     std::vector<float> errors;
     if (options.metric == "flip") {
         errors = seen.flip;
@@ -190,7 +191,7 @@ ImageF error_map(const Options& options, const ImageF& image, const ImageF& refe
 
 // Where a limit is to be kept, a pixel that is no number breaks it, and where more than a tenth are none
 // there is no picture: compare() refuses both.
-ImageF read_to_compare(const Options& options, const std::string& path) {
+ImageF read_to_compare(const CompareOptions& options, const std::string& path) {
     ImageF image = read_image(path);
     if (options.max || options.min) {
         return image;
@@ -207,7 +208,7 @@ ImageF read_to_compare(const Options& options, const std::string& path) {
     return repaired;
 }
 
-ExitCode compare_images(const Options& options) {
+ExitCode compare_images(const CompareOptions& options) {
     if (!options.heatmap.empty()) {
         check_image_writable(options.heatmap);
     }
@@ -251,7 +252,7 @@ ExitCode compare_images(const Options& options) {
 }  // namespace
 
 Command add_compare(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareOptions>();
     CLI::App* command = app.add_subcommand("compare", "How far an image is from its reference.");
     command->add_option("IMG", options->image, "image (EXR, PNG, HDR, JPEG, TIFF and more)")->required();
     command->add_option("REF", options->reference, "its reference, of the same size and channels")

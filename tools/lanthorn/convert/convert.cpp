@@ -63,12 +63,12 @@ GltfDocument::Written convert(const fs::path& in, const fs::path& out, const Con
 
 namespace {
 
-struct Options {
+struct ConvertArguments {
     std::string in, out;
     ConvertOptions along;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const ConvertArguments& options) {
     const GltfDocument::Written written = convert(options.in, options.out, options.along);
     for (const std::string& warning : written.warnings) {
         fmt::print(stderr, "lanthorn: warning: {}\n", warning);
@@ -82,7 +82,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_convert(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ConvertArguments>();
     CLI::App* command =
         app.add_subcommand("convert",
                            "Write a glTF file anew, or as the other container. IN is imported first, and "

@@ -18,7 +18,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct EditOptions {
     std::string scene, script, at, against;
     bool beside = false;
     SettingsChoice settings;
@@ -27,7 +27,7 @@ struct Options {
     EditWindowChoice window;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const EditOptions& options) {
     if (!options.at.empty() && options.scene.empty()) {
         throw InputError("--at: found no SCENE, expected the level that was recorded");
     }
@@ -73,7 +73,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_edit(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EditOptions>();
     CLI::App* command = app.add_subcommand("edit",
                                            "Edit a scene in a window, with the game's light; or by a script: "
                                            "the editor's commands, a line each, "

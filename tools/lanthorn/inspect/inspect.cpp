@@ -20,7 +20,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct InspectOptions {
     std::string scene;
     std::string variant;
     bool allow_outside = false;
@@ -210,7 +210,7 @@ Plan plan_of(SceneData scene, const SettingsChoice& choice) {
     return result;
 }
 
-void print_json(const SceneData& scene, const Options& options) {
+void print_json(const SceneData& scene, const InspectOptions& options) {
     nlohmann::ordered_json json = contents_json(scene);
     if (options.plan) {
         const Plan made = plan_of(scene, options.settings);
@@ -220,7 +220,7 @@ void print_json(const SceneData& scene, const Options& options) {
     fmt::print("{}\n", json.dump(2));
 }
 
-ExitCode inspect(const Options& options) {
+ExitCode inspect(const InspectOptions& options) {
     const SceneData scene =
         import_gltf(options.scene, {.variant = options.variant, .allow_outside = options.allow_outside});
     if (options.json) {
@@ -239,7 +239,7 @@ ExitCode inspect(const Options& options) {
 }  // namespace
 
 Command add_inspect(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InspectOptions>();
     CLI::App* command =
         app.add_subcommand("inspect", "What is in a scene; what its light requires, and why.");
     add_scene_option(*command, options->scene)->required();

@@ -19,14 +19,14 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct BudgetOptions {
     std::string scene, output, motion = "walk", size = "512x512";
     SettingsChoice settings;
     SceneView view;
     BudgetRunJob job;
 };
 
-ExitCode run(Options options) {
+ExitCode run(BudgetOptions options) {
     const ChosenSettings chosen(options.settings);
     BudgetRunJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
@@ -57,7 +57,7 @@ ExitCode run(Options options) {
 }  // namespace
 
 Command add_measure_budget(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BudgetOptions>();
     CLI::App* command = measure.add_subcommand(
         "budget",
         "How a time or an error is kept while things begin to move and another program takes a core: times, "

@@ -22,7 +22,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct ContractsOptions {
     std::string scene;
     ContractEffort effort;
     SceneView view;
@@ -30,7 +30,7 @@ struct Options {
     bool json = false;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const ContractsOptions& options) {
     const ChosenSettings chosen(options.settings);
     const StopSignal stop;
     SceneView view = options.view;
@@ -70,7 +70,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_contracts(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ContractsOptions>();
     CLI::App* command = measure.add_subcommand("contracts",
                                                "Whether the light of a level is what its light_contracts ask "
                                                "for (docs/levels.md), by the path tracer. Ends "

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kMotionsOfCosts = {"rest", "lamp", "dim", "walk", "pan", "box", "figure"};
 
-struct Options {
+struct CostsOptions {
     std::vector<std::string> scenes, motions;
     std::string technique, output, size = "512x512";
     SettingsChoice settings;
@@ -37,7 +37,7 @@ struct Options {
 };
 
 // Rest first, each once.
-std::vector<Motion> motions_of(const Options& options) {
+std::vector<Motion> motions_of(const CostsOptions& options) {
     std::vector<Motion> motions = {Motion::rest};
     for (const Motion motion : motions_named(options.motions)) {
         if (std::ranges::find(motions, motion) == motions.end()) {
@@ -48,7 +48,7 @@ std::vector<Motion> motions_of(const Options& options) {
 }
 
 // The folder of both files, made where there is none.
-fs::path folder_of(const Options& options) {
+fs::path folder_of(const CostsOptions& options) {
     fs::path folder = options.output;
     std::error_code error;
     fs::create_directories(folder, error);
@@ -71,7 +71,7 @@ void write(const fs::path& folder, const std::vector<SceneCosts>& scenes, const 
     page.commit();
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const CostsOptions& options) {
     ChosenSettings chosen(options.settings);
     Settings& settings = chosen.settings;
     if (!options.technique.empty()) {
@@ -124,7 +124,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_costs(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CostsOptions>();
     CLI::App* command = measure.add_subcommand(
         "costs",
         "Where each millisecond and megabyte goes: by pass, by light, by asset; what the plan left out, and "

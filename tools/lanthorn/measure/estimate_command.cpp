@@ -19,7 +19,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct EstimateOptions {
     std::vector<std::string> scenes, held, presets, motions;
     SettingsChoice settings;
     SceneView view;
@@ -29,13 +29,14 @@ struct Options {
     bool fit = false;
 };
 
-MotionCase preset_case(const std::string& preset, const Options& options, const SettingsSchema& schema) {
+MotionCase preset_case(const std::string& preset, const EstimateOptions& options,
+                       const SettingsSchema& schema) {
     SettingsChoice choice = options.settings;
     choice.preset = preset;
     return case_of(preset, choice, schema);
 }
 
-ExitCode run(Options options) {
+ExitCode run(EstimateOptions options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     MotionJob& job = options.job;
@@ -80,7 +81,7 @@ ExitCode run(Options options) {
 }  // namespace
 
 Command add_measure_estimate(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EstimateOptions>();
     options->presets = {"low", "medium", "high"};
     options->motions = {"rest", "lamp", "walk", "box", "figure"};
     CLI::App* command = measure.add_subcommand("estimate",

@@ -20,7 +20,7 @@ namespace {
 const std::vector<std::string> kMotionsOfFrames = {"rest", "lamp", "walk", "pan", "box", "figure"};
 constexpr double kNamedMs = 0.005;  // a pass that takes less is not printed
 
-struct Options {
+struct FramesOptions {
     std::vector<std::string> scenes, motions = kMotionsOfFrames;
     SettingsChoice settings;
     SceneView view;
@@ -83,7 +83,7 @@ nlohmann::ordered_json scene_json(const MeasuredScene& scene) {
     return {{"scene", scene.name}, {"motions", std::move(motions)}};
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const FramesOptions& options) {
     const ChosenSettings chosen(options.settings);
     FramesJob job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
@@ -131,7 +131,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_frames(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FramesOptions>();
     CLI::App* command = measure.add_subcommand(
         "frames",
         "What frames cost on this machine while something moves: from frame to frame, and by pass.");

@@ -34,7 +34,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct MeasureOptions {
     std::string scene;
     SettingsChoice settings;
     FlickerJob flicker;  // its view is every measure's
@@ -60,7 +60,7 @@ void go_on(Progress& progress, std::uint64_t done) {
 
 // Settings, scene and photons of a measurement, as its options ask.
 // Of the photons that splats would show, whichever stage makes the picture.
-PhotonFlights flights_of(const Options& options, Settings& settings) {
+PhotonFlights flights_of(const MeasureOptions& options, Settings& settings) {
     options.settings.apply_to(settings);
     settings.set_from_text("gi.emc.final=splat");
     SceneView view = options.flicker.view;
@@ -69,13 +69,13 @@ PhotonFlights flights_of(const Options& options, Settings& settings) {
     return trace_photons(std::move(scene), settings, view);
 }
 
-MeasureReport run_hits(const Options& options, Settings& settings) {
+MeasureReport run_hits(const MeasureOptions& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("tracing exact rays", flight_count(flights));
     return report(measure_hits(flights, [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
-MeasureReport run_coverage(const Options& options, Settings& settings) {
+MeasureReport run_coverage(const MeasureOptions& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("asking points", static_cast<std::uint64_t>(options.points));
     const CoverageFigures figures = measure_coverage(flights, options.points, gi::gi_settings(settings).seed,
@@ -86,13 +86,13 @@ MeasureReport run_coverage(const Options& options, Settings& settings) {
     return report(figures);
 }
 
-MeasureReport run_energy(const Options& options, Settings& settings) {
+MeasureReport run_energy(const MeasureOptions& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("tracing exact rays", flight_count(flights));
     return report(measure_energy(flights, [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
-MeasureReport run_flicker(const Options& options, Settings& settings) {
+MeasureReport run_flicker(const MeasureOptions& options, Settings& settings) {
     FlickerJob job = options.flicker;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.motion = options.motion == "pan" ? FlickerMotion::pan : FlickerMotion::light;
@@ -111,7 +111,7 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     return result;
 }
 
-MeasureReport run_effects(const Options& options, Settings& settings) {
+MeasureReport run_effects(const MeasureOptions& options, Settings& settings) {
     EffectsJob job = options.effects;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.view = options.flicker.view;
@@ -125,7 +125,7 @@ MeasureReport run_effects(const Options& options, Settings& settings) {
 struct Measure {
     const char* name;
     const char* about;
-    MeasureReport (*run)(const Options&, Settings&);
+    MeasureReport (*run)(const MeasureOptions&, Settings&);
 };
 constexpr Measure kMeasures[] = {
     {"hits", "Share of photon segments whose image-space hit lies within 2 % of the diagonal of Embree's.",
@@ -138,7 +138,7 @@ constexpr Measure kMeasures[] = {
     {"effects", "Diffuse light, caustics, sky, what metal and glass show: each beside the path tracer's.",
      run_effects}};
 
-ExitCode run(const Measure& measure, const Options& options) {
+ExitCode run(const Measure& measure, const MeasureOptions& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     Settings settings = measured_settings(schema);
@@ -159,20 +159,20 @@ ExitCode run(const Measure& measure, const Options& options) {
     return ExitCode::ok;
 }
 
-void add_common(CLI::App& command, Options& options) {
+void add_common(CLI::App& command, MeasureOptions& options) {
     add_scene_option(command, options.scene)->required();
     add_moment_options(command, options.flicker.view, "that is measured, standing still (default: 0)");
     add_settings_options(command, options.settings);
     command.add_flag("--json", options.json, "print one JSON object");
 }
 
-void add_coverage_options(CLI::App& command, Options& options) {
+void add_coverage_options(CLI::App& command, MeasureOptions& options) {
     command.add_option("--points", options.points, "points asked, spread evenly over all surfaces")
         ->check(CLI::Range(1, 100000000))
         ->capture_default_str();
 }
 
-void add_effects_options(CLI::App& command, Options& options) {
+void add_effects_options(CLI::App& command, MeasureOptions& options) {
     EffectsJob& job = options.effects;
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(command, options.flicker.view.camera);
@@ -184,7 +184,7 @@ void add_effects_options(CLI::App& command, Options& options) {
         ->capture_default_str();
 }
 
-void add_flicker_options(CLI::App& command, Options& options) {
+void add_flicker_options(CLI::App& command, MeasureOptions& options) {
     FlickerJob& job = options.flicker;
     command.add_option("--motion", options.motion, "light or pan")
         ->check(CLI::IsMember({"light", "pan"}))
@@ -208,7 +208,7 @@ void add_flicker_options(CLI::App& command, Options& options) {
 }  // namespace
 
 Command add_measure(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MeasureOptions>();
     CLI::App* command =
         app.add_subcommand("measure", "What an image cannot tell of a scene's indirect light.");
     for (const Measure& measure : kMeasures) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLeastFrames = kChanges + 1;
 
-struct Options {
+struct MotionsOptions {
     std::vector<std::string> scenes, cases, motions;
     SettingsChoice settings;
     SceneView view;
@@ -46,7 +46,7 @@ MotionCase open_case(const std::string& text, const SettingsChoice& common, cons
     return case_of(text, choice, schema);
 }
 
-ExitCode run(Options options) {
+ExitCode run(MotionsOptions options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     MotionJob& job = options.job;
@@ -101,7 +101,7 @@ ExitCode run(Options options) {
 }  // namespace
 
 Command add_measure_motions(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MotionsOptions>();
     options->motions = {"rest", "lamp", "dim", "walk", "pan", "cut", "box", "figure"};
     const std::vector<std::string> all = options->motions;
     CLI::App* command = measure.add_subcommand("motions",

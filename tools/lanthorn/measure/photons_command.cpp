@@ -31,7 +31,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct PhotonsOptions {
     std::string scene, size = "512x512";
     double frame_ms = 10;
     int frames = 9;
@@ -98,7 +98,7 @@ void add_row(TextTable& table, const char* what, const PhotonFrame& f) {
                fmt::format("{:.2f}", f.estimate), fmt::format("{:.2f}", f.whole())});
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const PhotonsOptions& options) {
     ChosenSettings asked(options.settings);
     asked.settings.set_from_text("gi.technique", "vertex-map");
     asked.settings.set_from_text("gi.vertex-map.tree",
@@ -145,7 +145,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_photons(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PhotonsOptions>();
     CLI::App* command = measure.add_subcommand(
         "photons",
         "How many photons vertex-map has time for: gi.vertex-map.total and per_frame for a frame of so many "

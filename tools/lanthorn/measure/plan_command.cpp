@@ -31,7 +31,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct PlanOptions {
     std::vector<std::string> scenes, motions = {"rest", "lamp", "walk", "box"}, rules;
     SettingsChoice settings;
     SceneView view;
@@ -40,7 +40,7 @@ struct Options {
     bool json = false;
 };
 
-MotionJob job_of(const Options& options) {
+MotionJob job_of(const PlanOptions& options) {
     MotionJob job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.frames = options.frames;
@@ -49,7 +49,7 @@ MotionJob job_of(const Options& options) {
 }
 
 // Those that are asked for, or all.
-std::vector<std::string> rules_of(const Options& options) {
+std::vector<std::string> rules_of(const PlanOptions& options) {
     std::vector<std::string> rules;
     if (options.rules.empty()) {
         std::ranges::transform(rule_switches(), std::back_inserter(rules), &RuleSwitch::setting);
@@ -61,7 +61,7 @@ std::vector<std::string> rules_of(const Options& options) {
 }
 
 // All rules on; each off; all off, unless some were asked for.
-std::vector<MotionCase> cases_of(const Options& options, const SettingsSchema& schema) {
+std::vector<MotionCase> cases_of(const PlanOptions& options, const SettingsSchema& schema) {
     std::vector<MotionCase> cases = {case_of("planned", options.settings, schema)};
     Settings everything = cases.front().settings;
     for (const std::string& rule : rules_of(options)) {
@@ -113,7 +113,7 @@ PlanScene over_rounds(const std::string& name, const std::vector<std::string>& r
 // The files of a run: what is measured of a scene is kept.
 class PlanFolder {
   public:
-    PlanFolder(const Options& options, const MotionJob& job) : folder_(options.output) {
+    PlanFolder(const PlanOptions& options, const MotionJob& job) : folder_(options.output) {
         key_ = ordered_json{{"size", {job.size.x, job.size.y}},
                             {"frames", job.frames},
                             {"rounds", options.rounds},
@@ -173,7 +173,7 @@ class PlanFolder {
     ordered_json key_;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const PlanOptions& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     const MotionJob job = job_of(options);
@@ -212,7 +212,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_plan(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlanOptions>();
     CLI::App* command = measure.add_subcommand("plan",
                                                "Each rule by which the plan leaves work out, on and off: "
                                                "milliseconds of processor time, error against "

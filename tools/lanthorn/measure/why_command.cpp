@@ -22,7 +22,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct WhyOptions {
     std::string scene, size = "640x360", pixel, pose;
     int paths = 4096;
     SceneView view;
@@ -45,7 +45,7 @@ ivec2 pixel_of(const std::string& text, ivec2 size) {
     return pixel;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const WhyOptions& options) {
     const ChosenSettings chosen(options.settings);
     const ivec2 size = parse_size("--size", options.size, 1, kLargestPicture);
     const ivec2 pixel = pixel_of(options.pixel, size);
@@ -89,7 +89,7 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 Command add_measure_why(CLI::App& measure) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<WhyOptions>();
     CLI::App* command = measure.add_subcommand(
         "why",
         "Why a point of the picture is as bright as it is: its light by lamp, by number of reflections and "

@@ -38,7 +38,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
     std::string scene, output, technique, pose, box, size = "512x512", stats, trace, checkpoint, turntable;
     std::vector<std::string> aovs;
     SettingsChoice settings;
@@ -51,7 +51,7 @@ struct Options {
 };
 
 // The path tracer's options need it.
-void check_path_options(const Options& options, bool path) {
+void check_path_options(const RenderOptions& options, bool path) {
     const std::pair<bool, const char*> given[] = {{options.spp.has_value(), "--spp"},
                                                   {options.time_limit.has_value(), "--time-limit"},
                                                   {options.target_noise.has_value(), "--target-noise"},
@@ -68,7 +68,7 @@ void check_path_options(const Options& options, bool path) {
 }
 
 // A picture of pieces has a number of samples, and what is added up needs all of them.
-void check_pieces(const Options& options, const Settings& settings, bool path) {
+void check_pieces(const RenderOptions& options, const Settings& settings, bool path) {
     if (options.pieces.pieces && !options.pieces.by_others()) {
         throw InputError("--pieces: expected --executor or --jobs with it");
     }
@@ -87,7 +87,7 @@ void check_pieces(const Options& options, const Settings& settings, bool path) {
 }
 
 // What other processes are told of this one's picture.
-PieceCommand piece_command(const Options& options, const Settings& settings) {
+PieceCommand piece_command(const RenderOptions& options, const Settings& settings) {
     SceneView view = options.job.view;
     if (!view.environment.empty()) {
         view.environment = std::filesystem::absolute(view.environment).string();
@@ -105,7 +105,7 @@ PieceCommand piece_command(const Options& options, const Settings& settings) {
     return command;
 }
 
-void check_budget(const Options& options, bool path) {
+void check_budget(const RenderOptions& options, bool path) {
     if (options.job.budget.any() && path) {
         throw InputError(
             "--budget-ms, --target-error, --play-budget: found --technique path, expected one that makes "
@@ -115,7 +115,7 @@ void check_budget(const Options& options, bool path) {
 }
 
 // Later wins: preset, file, --set, the options of their own.
-void configure(Settings& settings, const Options& options) {
+void configure(Settings& settings, const RenderOptions& options) {
     options.settings.apply_to(settings);
     if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
@@ -182,7 +182,7 @@ void read_budget(BudgetWish& wish, const std::string& file) {
 }
 
 // A turntable is a file of its own, of frames.
-void check_turntable_alone(const Options& options, bool path) {
+void check_turntable_alone(const RenderOptions& options, bool path) {
     const std::pair<bool, const char*> others[] = {
         {!options.output.empty(), "-o"},
         {!options.aovs.empty(), "--aov"},
@@ -199,7 +199,7 @@ void check_turntable_alone(const Options& options, bool path) {
 }
 
 // The scene as it is shown: with the camera of --pose, if there is one.
-SceneData scene_of(const Options& options, SceneView& view) {
+SceneData scene_of(const RenderOptions& options, SceneView& view) {
     const std::optional<CameraPose> pose =
         options.pose.empty() ? std::nullopt : std::optional(pose_of(options.pose));
     SceneData scene = tell_warnings(options.scene, load_scene(options.scene, view));
@@ -210,7 +210,7 @@ SceneData scene_of(const Options& options, SceneView& view) {
 }
 
 // A piece is no picture: sums, in the file that -o names.
-ExitCode render_piece(const Options& options, const Settings& settings) {
+ExitCode render_piece(const RenderOptions& options, const Settings& settings) {
     RenderJob job = options.job;
     const reference::PathPiece piece =
         parse_piece(options.pieces.piece, job.size, settings.get<int>("path.spp"));
@@ -220,7 +220,7 @@ ExitCode render_piece(const Options& options, const Settings& settings) {
     return ExitCode::ok;
 }
 
-ExitCode turn(const Options& options, const Settings& settings) {
+ExitCode turn(const RenderOptions& options, const Settings& settings) {
     TurntableJob job;
     job.size = options.job.size;
     job.view = options.job.view;
@@ -235,7 +235,7 @@ ExitCode turn(const Options& options, const Settings& settings) {
     return ExitCode::ok;
 }
 
-RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings,
+RenderOutcome render_with(const RenderOptions& options, SceneData scene, const Settings& settings,
                           const PieceCommand& command) {
     const RenderJob& job = options.job;
     if (options.pieces.by_others()) {
@@ -256,7 +256,7 @@ RenderOutcome render_with(const Options& options, SceneData scene, const Setting
                         [&](int done) { progress.update(static_cast<std::uint64_t>(done)); });
 }
 
-ExitCode render(Options options) {
+ExitCode render(RenderOptions options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     if (options.list_settings) {
@@ -376,7 +376,7 @@ ExitCode render(Options options) {
 }  // namespace
 
 Command add_render(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
     add_scene_option(*command, options->scene);
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr, .tif, .jpg, ...)");

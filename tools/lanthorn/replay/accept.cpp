@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr int kMostPixels = 4096;  // a side of a baseline
 
-struct Options {
+struct AcceptOptions {
     suite::Acceptance acceptance;
     std::string folder, today, level, size, preset;
     std::optional<int> frames;
     bool picture_alone = false;
 };
 
-fs::path recording_file(const Options& options, const std::string& name) {
+fs::path recording_file(const AcceptOptions& options, const std::string& name) {
     fs::path file = fs::path(options.folder) / name;
     if (!fs::is_regular_file(file)) {
         throw InputError(options.folder, "",
@@ -38,7 +38,7 @@ fs::path recording_file(const Options& options, const std::string& name) {
 }
 
 // "pool.rec:door-open": its picture becomes the baseline.
-ExitCode accept_picture(const Options& options, const std::string& today) {
+ExitCode accept_picture(const AcceptOptions& options, const std::string& today) {
     const std::string& name = options.acceptance.failure;
     const std::size_t colon = name.find(':');
     const std::string file = recording_file(options, name.substr(0, colon)).string();
@@ -60,7 +60,7 @@ ExitCode accept_picture(const Options& options, const std::string& today) {
     return ExitCode::ok;
 }
 
-ExitCode accept(const Options& options) {
+ExitCode accept(const AcceptOptions& options) {
     const std::string today = options.today.empty() ? suite::today() : options.today;
     if (options.acceptance.reason.find_first_not_of(" \t") == std::string::npos) {
         throw InputError("--reason: found nothing, expected why the difference is right");
@@ -83,7 +83,7 @@ ExitCode accept(const Options& options) {
 }  // namespace
 
 Command add_replay_accept(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AcceptOptions>();
     CLI::App* command = app.add_subcommand(
         "accept",
         "Accept a failure that a suite reported, for a reason and until a day; or a mark's picture.");

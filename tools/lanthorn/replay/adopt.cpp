@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLongestTrial = 300;  // seconds
 
-struct Options {
+struct AdoptOptions {
     std::string file, suite, name, level, against, mutant;
     double seconds = 60;
     bool whole = false;
@@ -65,7 +65,7 @@ void read_report(const std::string& report, Fate& fate) {
 
 class Adoption {
   public:
-    explicit Adoption(const Options& options)
+    explicit Adoption(const AdoptOptions& options)
         : options_(options),
           recording_(replay::read_recording(options.file)),
           level_(read_level(options.file, recording_.header, options.level)) {}
@@ -217,7 +217,7 @@ class Adoption {
         }
     }
 
-    const Options& options_;
+    const AdoptOptions& options_;
     const Clock::time_point start_ = Clock::now();
     const suite::Scratch scratch_ = suite::Scratch::temporary("lanthorn-adopt");
     replay::Recording recording_;
@@ -232,7 +232,7 @@ class Adoption {
 }  // namespace
 
 Command add_replay_adopt(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AdoptOptions>();
     CLI::App* command = replay.add_subcommand(
         "adopt", "Makes a test of a session that crashed or differs, as short as still shows it.");
     command->add_option("FILE", options->file, "a recording (.rec), cut off or whole")->required();

@@ -22,7 +22,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct BisectOptions {
     std::string file, level, against;
     CommitChoice commits{
         .range = "",
@@ -149,7 +149,7 @@ struct Found {
     std::vector<std::string> suspects;
 };
 
-Found find(const Options& options) {
+Found find(const BisectOptions& options) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(options.file));
     const auto level = read_level(options.file, recording->header, options.level);
     std::vector<Run> runs;
@@ -214,7 +214,7 @@ void print_fields(const Cause& cause, bool all) {
     }
 }
 
-void print(const Found& found, const Options& options, double step_rate) {
+void print(const Found& found, const BisectOptions& options, double step_rate) {
     fmt::print("repeats   {}\n", found.repeats);
     if (!found.first) {
         return;
@@ -274,7 +274,7 @@ nlohmann::ordered_json json_of(const Found& found) {
     return json;
 }
 
-FoundCommit commit_of(const Options& options) {
+FoundCommit commit_of(const BisectOptions& options) {
     CommitChoice choice = options.commits;
     choice.file = std::filesystem::absolute(options.file).string();
     const replay::Recording recording = replay::read_recording(options.file);
@@ -292,7 +292,7 @@ void print(const FoundCommit& commit) {
     }
 }
 
-ExitCode bisect(const Options& options) {
+ExitCode bisect(const BisectOptions& options) {
     const Found found = find(options);
     std::optional<FoundCommit> commit;
     const StopSignal stop;
@@ -317,7 +317,7 @@ ExitCode bisect(const Options& options) {
 }  // namespace
 
 Command add_replay_bisect(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BisectOptions>();
     CLI::App* command = replay.add_subcommand(
         "bisect", "Where a replay parts from its recording: step, part, system, entity, field, both values.");
     command->add_option("FILE", options->file, "a recording (.rec)")->required();

@@ -14,7 +14,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct InfoOptions {
     std::vector<std::string> files;
     bool json = false;
 };
@@ -122,7 +122,7 @@ void print(const std::string& file, const replay::Recording& r) {
     }
 }
 
-ExitCode info(const Options& options) {
+ExitCode info(const InfoOptions& options) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& file : options.files) {
         const replay::Recording recording = replay::read_recording(file);
@@ -142,7 +142,7 @@ ExitCode info(const Options& options) {
 }  // namespace
 
 Command add_replay_info(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InfoOptions>();
     CLI::App* command = replay.add_subcommand("info", "What is in recordings, without playing them.");
     command->add_option("FILE", options->files, "recordings (.rec)")->required();
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");

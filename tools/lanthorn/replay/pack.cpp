@@ -15,7 +15,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct PackOptions {
     std::string file, out, level;
     std::vector<std::string> notes, expectations, marks;
     std::uint64_t states = 0;
@@ -37,7 +37,7 @@ replay::Mark mark_of(const std::string& text) {
     return mark;
 }
 
-ExitCode pack(const Options& options) {
+ExitCode pack(const PackOptions& options) {
     replay::Recording recording = replay::read_recording(options.file);
     replay::Annotations& a = recording.annotations;
     a.notes.insert(a.notes.end(), options.notes.begin(), options.notes.end());
@@ -73,7 +73,7 @@ ExitCode pack(const Options& options) {
 }  // namespace
 
 Command add_replay_pack(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PackOptions>();
     CLI::App* command = replay.add_subcommand(
         "pack", "Writes a recording again: packed, in today's format, with notes, expectations and marks.");
     command->add_option("FILE", options->file, "a recording (.rec)")->required();

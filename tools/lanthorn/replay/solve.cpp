@@ -15,12 +15,12 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct SolveOptions {
     std::string file, level, result, progress;
     bool json = false;
 };
 
-ExitCode solve(const Options& options) {
+ExitCode solve(const SolveOptions& options) {
     const StopSignal stop;
     ProgressFile watched(options.progress);
     const Solving solving = solve_again(options.file, options.level, [&](std::uint64_t step, std::uint64_t) {
@@ -49,7 +49,7 @@ ExitCode solve(const Options& options) {
 }  // namespace
 
 Command add_replay_solve(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SolveOptions>();
     CLI::App* command = replay.add_subcommand(
         "solve",
         "Plays a recording's inputs with light sensors that read the level as it is now, and says whether it "

@@ -10,12 +10,12 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct StateOptions {
     std::string file, level, out, after;
     std::optional<std::uint64_t> step;
 };
 
-ExitCode state(const Options& options) {
+ExitCode state(const StateOptions& options) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(options.file));
     const auto level = read_level(options.file, recording->header, options.level);
     if (!options.step) {
@@ -33,7 +33,7 @@ ExitCode state(const Options& options) {
 }  // namespace
 
 Command add_replay_state(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StateOptions>();
     CLI::App* command =
         replay.add_subcommand("state", "The states that this build plays a recording's inputs to.")
             ->group("");

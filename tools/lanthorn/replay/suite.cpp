@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SuiteArguments {
     suite::SuiteOptions suite;
     std::string junit, html, reason;
     std::vector<std::string> planted;  // NAME=FAULT
@@ -54,7 +54,7 @@ std::string command_line() {
     return text;
 }
 
-ExitCode run(Options& options) {
+ExitCode run(SuiteArguments& options) {
     suite::SuiteOptions& o = options.suite;
     o.program = program_path();
     o.build = build_words();
@@ -147,7 +147,7 @@ ExitCode run_task(const std::string& plan, std::size_t slice) {
 }  // namespace
 
 Command add_replay_suite(CLI::App& app) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SuiteArguments>();
     suite::SuiteOptions& o = options->suite;
     o.farm.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     o.output = "out/replay-suite";

@@ -15,7 +15,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-struct Options {
+struct TrimOptions {
     std::string file, out, level, against;
     std::optional<std::uint64_t> to;
     double seconds = 60;
@@ -23,7 +23,7 @@ struct Options {
     bool again = false;
 };
 
-void check_usage(const Options& options) {
+void check_usage(const TrimOptions& options) {
     if ((options.to ? 1 : 0) + (options.minimise ? 1 : 0) + (options.again ? 1 : 0) == 0) {
         throw InputError("replay trim: found neither --to, --again nor --minimise, expected one of them");
     }
@@ -45,7 +45,7 @@ void print_minimised(const replay::Recording& before, const Minimised& after, do
     fmt::print("in        {}\n", out);
 }
 
-ExitCode trim(const Options& options) {
+ExitCode trim(const TrimOptions& options) {
     check_usage(options);
     replay::Recording recording = replay::read_recording(options.file);
     if (options.to) {
@@ -84,7 +84,7 @@ ExitCode trim(const Options& options) {
 }  // namespace
 
 Command add_replay_trim(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TrimOptions>();
     CLI::App* command = replay.add_subcommand(
         "trim", "The beginning of a recording, or the shortest one that still shows the same fault.");
     command->add_option("FILE", options->file, "a recording (.rec)")->required();

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct VerifyOptions {
     std::vector<std::string> files;
     std::string result, as, progress, mutant, picture_fault;
     std::uint64_t shuffle = 0;  // seed; 0: the usual order
@@ -36,7 +36,7 @@ struct Options {
     bool json = false, brief = false;
 };
 
-PictureChoice picture_choice(const Options& options) {
+PictureChoice picture_choice(const VerifyOptions& options) {
     PictureChoice choice = options.judge.pictures;
     if (!options.picture_fault.empty()) {
         choice.fault = parse_picture_fault(options.picture_fault);
@@ -53,7 +53,7 @@ PictureChoice picture_choice(const Options& options) {
 }
 
 // Several marks at a time; null where one at a time is enough.
-std::unique_ptr<MarkProcesses> begun(const Options& options) {
+std::unique_ptr<MarkProcesses> begun(const VerifyOptions& options) {
     const PictureChoice choice = picture_choice(options);
     if (options.jobs == 1 || (!choice.pictures && !choice.light)) {
         return nullptr;
@@ -65,7 +65,7 @@ std::unique_ptr<MarkProcesses> begun(const Options& options) {
     return std::make_unique<MarkProcesses>(options.jobs, options.files, choice, further);
 }
 
-Verdict judged(const std::string& file, const Options& options, MarkProcesses* marks) {
+Verdict judged(const std::string& file, const VerifyOptions& options, MarkProcesses* marks) {
     ProgressFile watched(options.progress);
     JudgeChoice choice = options.judge;
     choice.at_step = [&](std::uint64_t step) { watched.update(step); };
@@ -110,7 +110,7 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void check_usage(const Options& options) {
+void check_usage(const VerifyOptions& options) {
     if (!options.as.empty() && (options.files.size() != 1 || options.result.empty())) {
         throw InputError("--as: found without --result or with several files, expected one recording");
     }
@@ -119,7 +119,7 @@ void check_usage(const Options& options) {
     }
 }
 
-ExitCode verify(const Options& options) {
+ExitCode verify(const VerifyOptions& options) {
     check_usage(options);
     ExitCode code = ExitCode::ok;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -152,7 +152,7 @@ ExitCode verify(const Options& options) {
 }  // namespace
 
 Command add_replay_verify(CLI::App& replay) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<VerifyOptions>();
     CLI::App* command = replay.add_subcommand(
         "verify", "Plays recordings and compares every state with the recorded one, bit for bit.");
     command->add_option("FILE", options->files, "recordings (.rec)")->required();

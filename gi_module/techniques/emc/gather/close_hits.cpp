@@ -11,7 +11,7 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint32_t);
-constexpr int kSlotsAtOnce = 8;  // close_slots.comp
+constexpr int kSlotsOfInvocation = 8;  // close_slots.comp
 // close_free.glsl, in words.
 constexpr std::size_t kBefore = 2, kLots = 3, kGroups = 4, kWanted = 8;
 constexpr std::uint32_t kAllLots = 256;
@@ -107,7 +107,7 @@ void CloseHits::collect(const std::function<void(const gpu::Program&)>& use, std
     points_.bind_storage(10);
     listed_.bind_storage(7);
     free_.bind_storage(12);
-    dispatch_items(count_ / kSlotsAtOnce);
+    dispatch_items(count_ / kSlotsOfInvocation);
     wait_for_shaders();
 }
 

@@ -6,8 +6,8 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::uint32_t kRows = 64;  // of the image that is looked at: several pixels a cell
-constexpr int kLooks = 4;            // a cell and axis
+constexpr std::uint32_t kImageRows = 64;  // of the image that is looked at: several pixels a cell
+constexpr int kLooks = 4;                 // a cell and axis
 
 // octahedral.glsl's octahedral_vector(): |x| + |y| + |z| = 1.
 vec3 octahedral_vector(const vec2& e) {
@@ -25,7 +25,7 @@ std::vector<vec4> sky_radiosity(const std::optional<SkyInstance>& sky) {
     if (!sky) {
         return cells;
     }
-    const SkyImage image = coarser(*sky->sky.lights_by(), kRows);
+    const SkyImage image = coarser(*sky->sky.lights_by(), kImageRows);
     dvec3 wanted(0), found(0);
     double sphere = 0;
     for (std::uint32_t y = 0; y < image.height; ++y) {

@@ -16,7 +16,7 @@ namespace lanthorn::tools {
 
 namespace {
 
-constexpr ivec2 kSize{96, 54};
+constexpr ivec2 kTargetsSize{96, 54};
 // Of all light in the picture: less is not there.
 constexpr double kLeast = 1e-3;
 
@@ -28,7 +28,7 @@ struct Seen {
 class DirectLight {
   public:
     DirectLight(const MarkArtist& artist, const MarkedMoment& at, MarkView view) : artist_(artist), at_(at) {
-        view.size = kSize;
+        view.size = kTargetsSize;
         level_ = artist.open(at, view, &moved_);
         level_->app().world().resource_mut<gi::GiSettings>().technique = gi::TechniqueKind::none;
     }
@@ -54,8 +54,8 @@ float luminance_at(const ImageF& image, int x, int y) {
 // The light that differs where the same is seen, over all light.
 double difference(const Seen& whole, const Seen& other) {
     double sum = 0, all = 0;
-    for (int y = 0; y < kSize.y; ++y) {
-        for (int x = 0; x < kSize.x; ++x) {
+    for (int y = 0; y < kTargetsSize.y; ++y) {
+        for (int x = 0; x < kTargetsSize.x; ++x) {
             const float before = luminance_at(whole.radiance, x, y);
             all += before;
             if (!sees_other(whole.depth, other.depth, x, y)) {
