@@ -21,9 +21,10 @@ struct State {
     float average_luminance = 0;
     std::uint32_t nan_count = 0;
     std::uint32_t reserved = 0;
+    vec4 around{0};
 };
-static_assert(sizeof(State) == 16 && offsetof(State, average_luminance) == 4 &&
-              offsetof(State, nan_count) == 8);
+static_assert(sizeof(State) == 32 && offsetof(State, average_luminance) == 4 &&
+              offsetof(State, nan_count) == 8 && offsetof(State, around) == 16);
 constexpr GLuint kStateBinding = 4;
 
 }  // namespace
@@ -34,19 +35,25 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
       final_(gpu::Texture::make_2d(GL_RGBA8, size)),
       radiance_framebuffer_({&radiance_}, &depth),
       final_framebuffer_({&final_}, nullptr),
-      state_(sizeof(State)),
-      expose_({"engine/render/expose.comp"}) {}
+      state_(sizeof(State)) {}
 
 Composite::~Composite() = default;
 
-void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer) {
+void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer,
+                        const Fuzzy* fuzzy) {
     state_.bind_storage(kStateBinding);
-    expose(settings, reset_exposure);
+    const bool rims = fuzzy != nullptr && settings.rim > 0;
+    expose(settings, reset_exposure, rims);
     const bool blooms = settings.bloom_share > 0;
     const bool compute = in_compute(settings.pixel_stage);
-    const gpu::Program& program =
-        (compute ? compute_display_ : display_)
-            .with(blooms ? std::vector<std::string>{"WITH_BLOOM"} : std::vector<std::string>());
+    std::vector<std::string> defines;
+    for (const auto& [there, define] : {std::pair(blooms, "WITH_BLOOM"), std::pair(rims, "WITH_RIM"),
+                                        std::pair(settings.shoulder > 0, "WITH_SHOULDER")}) {
+        if (there) {
+            defines.emplace_back(define);
+        }
+    }
+    const gpu::Program& program = (compute ? compute_display_ : display_).with(defines);
     if (blooms) {
         std::optional<gpu::PassTimer::Scope> pass;
         if (timer != nullptr) {
@@ -59,6 +66,19 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu
         program.set("scattered", 1);
         program.set("scattered_share", settings.bloom_share);
         bloom_->scattered().bind(1);
+    }
+    if (rims) {
+        fuzzy->gbuffer.distance().bind(2);
+        fuzzy->gbuffer.normals().bind(3);
+        fuzzy->gbuffer.material().bind(4);
+        program.set("gbuffer_distance", 2);
+        program.set("gbuffer_normals", 3);
+        program.set("gbuffer_material", 4);
+        program.set("rim_depth", settings.rim);
+        fuzzy->camera.set(program);
+    }
+    if (settings.shoulder > 0) {
+        program.set("shoulder", settings.shoulder);
     }
     program.set("radiance", 0);
     program.set("tone_map", static_cast<int>(settings.tone_map));
@@ -129,16 +149,18 @@ void Composite::take(const gpu::Texture& radiance) {
                        size_.x, size_.y, 1);
 }
 
-void Composite::expose(const RenderSettings& settings, bool reset) {
+void Composite::expose(const RenderSettings& settings, bool reset, bool around) {
+    const gpu::Program& program =
+        expose_.with(around ? std::vector<std::string>{"WITH_AROUND"} : std::vector<std::string>());
     // ISO 2720 with the usual saturation-based speed: a manual EV100 maps 1.2 * 2^EV nits to 1.
-    expose_.set("radiance", 0);
-    expose_.set("manual", settings.exposure_mode == ExposureMode::manual ? 1 : 0);
-    expose_.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
-    expose_.set("compensation", std::exp2(settings.exposure_compensation));
-    expose_.set("darkest", settings.exposure_darkest);
-    expose_.set("rate", reset ? 1.0f : settings.exposure_glide);
+    program.set("radiance", 0);
+    program.set("manual", settings.exposure_mode == ExposureMode::manual ? 1 : 0);
+    program.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
+    program.set("compensation", std::exp2(settings.exposure_compensation));
+    program.set("darkest", settings.exposure_darkest);
+    program.set("rate", reset ? 1.0f : settings.exposure_glide);
     radiance_.bind(0);
-    expose_.use();
+    program.use();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glDispatchCompute(1, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -4,6 +4,7 @@ layout(std430, binding = 4) buffer CompositeState {
     float average_luminance;  // nits, of the frame before smoothing
     uint nan_count;
     uint reserved;
+    vec4 around;  // rgb: nits, the picture's mean where it is lit, of no more luminance than the average
 } state;
 
 bool is_bad(vec3 v) {

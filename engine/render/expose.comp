@@ -19,12 +19,14 @@ const float kFaintFloor = 0.1;   // of the mean: as this in a fainter one
 shared float sums[256];
 shared float counts[256];
 
-float luminance_at(int index, float alpha) {
+vec3 radiance_at(int index, float alpha) {
     ivec2 size = textureSize(radiance, 0);
     vec2 cell = (vec2(index % kGrid, index / kGrid) + 0.5) / float(kGrid);
     vec4 texel = texelFetch(radiance, min(ivec2(cell * vec2(size)), size - 1), 0);
-    return texel.a == alpha ? dot(texel.rgb, vec3(0.2126, 0.7152, 0.0722)) : 0.0;
+    return texel.a == alpha ? texel.rgb : vec3(0.0);
 }
+
+float luminance_at(int index, float alpha) { return dot(radiance_at(index, alpha), vec3(0.2126, 0.7152, 0.0722)); }
 
 // Sum over the group of (value, count); every thread returns it.
 vec2 total(float value, float count) {
@@ -41,6 +43,17 @@ vec2 total(float value, float count) {
     }
     barrier();
     return vec2(sums[0], counts[0]);
+}
+
+// What even light around the picture's things is like: the mean of its lit points of `alpha`, as much as their average if that is less.
+void measure_around(float alpha, float count, float mean, float average) {
+    vec3 sum = vec3(0.0);
+    for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) sum += radiance_at(i, alpha);
+    vec2 red_green = total(sum.r, sum.g);
+    float blue = total(sum.b, 0.0).x;
+    if (gl_LocalInvocationIndex != 0u) return;
+    vec3 colour = vec3(red_green, blue) / max(count, 1.0);
+    state.around = vec4(colour * min(average / max(mean, 1e-20), 1.0), 0.0);
 }
 
 // Sum and number of the lit points of `alpha` (combine.frag).
@@ -71,6 +84,9 @@ void main() {
         if (l > 0.0) log_sum += log2(max(l, floor_luminance));
     }
     vec2 logs = total(log_sum, 0.0);
+#ifdef WITH_AROUND
+    measure_around(alpha, lit.y, mean, exp2(logs.x / max(lit.y, 1.0)));
+#endif
     if (gl_LocalInvocationIndex != 0u) return;
     if (manual != 0) {
         state.exposure = manual_exposure * compensation;

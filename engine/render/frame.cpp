@@ -65,13 +65,13 @@ void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer)
         targets_->drawn->frame = scene.frame;
         return;
     }
-    targets_->drawn = {scene.frame, scene.camera, scene.origin, settings, std::nullopt, 0};
+    targets_->drawn = {scene.frame, scene.camera, scene.origin, settings, std::nullopt, 0, shared_->looks_};
     shared_->draw_for(settings);
     if (upscales()) {
         const vec2 share = vec2(size()) / vec2(targets_->upscaler->size());
         shared_->gpu_scene_.set_texture_bias(0.5f * std::log2(share.x * share.y));
     }
-    targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
+    targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene), &shared_->looks_);
     draw_blended_surfaces(camera(scene));
     shared_->gpu_scene_.set_texture_bias(0);
 }
@@ -97,7 +97,7 @@ bool FrameRenderer::shows_the_same_surfaces(const FrameScene& scene) const {
                          (scene.frame == drawn->frame || scene.frame == drawn->frame + 1);
     return follows && !c.assets && !c.geometry && !c.replaced && c.painted.empty() && !c.pattern &&
            !c.emission && !c.relief && drawn->camera == scene.camera && drawn->origin == scene.origin &&
-           drawn->settings == settings;
+           drawn->settings == settings && drawn->looks == shared_->looks_;
 }
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
@@ -154,7 +154,11 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     }
     RenderSettings shown = settings;
     shown.antialias = settings.antialias || upscales();
-    composite.display(shown, cut_, &timer);
+    // What indirect light brings as a whole is shown as it is.
+    const CameraUniforms looked = camera(scene);
+    const Composite::Fuzzy fuzzy{targets_->gbuffer, looked};
+    const bool rims = indirect.radiance == nullptr && shared_->looks_.have_rims();
+    composite.display(shown, cut_, &timer, rims ? &fuzzy : nullptr);
 }
 
 void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {

@@ -7,6 +7,7 @@
 
 #include "engine/render/air.h"
 #include "engine/render/direct.h"
+#include "engine/render/looks.h"
 #include "engine/render/upscaler.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/render/composite.h"
@@ -37,6 +38,7 @@ struct FrameRenderer::Targets {
         RenderSettings settings;
         std::optional<std::uint64_t> light_maps;  // version, where direct light is drawn
         float traced_roughness = 0;
+        Looks looks = {};
     };
     std::optional<Drawn> drawn;   // nothing: they are to be drawn
     bool keeps_surfaces = false;  // in this frame

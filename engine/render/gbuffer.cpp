@@ -1,5 +1,13 @@
 #include "lanthorn/render/gbuffer.h"
 
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "engine/render/looks.h"
 #include "engine/render/scene_textures.h"
 
 namespace lanthorn::render {
@@ -19,7 +27,8 @@ GBuffer::GBuffer(ivec2 size, DrawSet of)
       program_("engine/render/gbuffer.vert", "engine/render/gbuffer.frag",
                of == DrawSet::blend ? std::vector<std::string>{"BLENDED"} : std::vector<std::string>()) {}
 
-void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera, const GBuffer* behind) {
+void GBuffer::draw_all(const GpuScene& gpu_scene, const CameraUniforms& camera, const GBuffer* behind,
+                       const Looks* looks) {
     // Half floats hold emission as a share of the scene's brightest, so that any unit of light fits.
     emissive_scale_ = gpu_scene.max_emissive() > 0 ? gpu_scene.max_emissive() : 1.0f;
     framebuffer_.bind(size_);
@@ -47,8 +56,45 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera, cons
     for (const std::uint32_t i : visible_) {
         drawn_.push_back({i, gpu_scene.picture_level(i, texel)});
     }
-    gpu_scene.draw(program_, drawn_);
+    const auto looked = [&](const DrawnInstance& drawn) {
+        return looks != nullptr && looks->find(gpu_scene.id(drawn.instance)) != nullptr;
+    };
+    const auto first = std::stable_partition(drawn_.begin(), drawn_.end(), std::not_fn(looked));
+    const auto plain = static_cast<std::size_t>(first - drawn_.begin());
+    gpu_scene.draw(program_, std::span(drawn_).first(plain));
+    if (plain < drawn_.size()) {
+        draw_looked(gpu_scene, camera, plain, *looks);
+    }
     glDisable(GL_DEPTH_TEST);
+}
+
+void GBuffer::draw_looked(const GpuScene& gpu_scene, const CameraUniforms& camera, std::size_t first,
+                          const Looks& looks) {
+    const auto look = [&](const DrawnInstance& drawn) -> const Look& {
+        return *looks.find(gpu_scene.id(drawn.instance));
+    };
+    const auto by_look = [&](const DrawnInstance& drawn) {
+        return std::tuple(look(drawn).shown, look(drawn).rim);
+    };
+    const std::span<DrawnInstance> rest = std::span(drawn_).subspan(first);
+    std::ranges::stable_sort(rest, {}, by_look);
+    if (!looked_) {
+        looked_.emplace("engine/render/gbuffer.vert", "engine/render/gbuffer.frag",
+                        std::vector<std::string>{"WITH_LOOK"});
+    }
+    looked_->prepare(gpu_scene.variants());
+    camera.set(*looked_);
+    looked_->set("emissive_scale", emissive_scale_);
+    for (std::size_t begin = 0, end = 0; begin < rest.size(); begin = end) {
+        const Look& one = look(rest[begin]);
+        end = begin;
+        while (end < rest.size() && by_look(rest[end]) == by_look(rest[begin])) {
+            ++end;
+        }
+        looked_->set("look_shown", one.shown);
+        looked_->set("look_rim", one.rim ? 1.0f : 0.0f);
+        gpu_scene.draw(*looked_, rest.subspan(begin, end - begin));
+    }
 }
 
 }  // namespace lanthorn::render

@@ -3,6 +3,12 @@
 #include "camera.glsl"
 #include "gbuffer_flags.glsl"
 #include "octahedral.glsl"
+#ifdef WITH_LOOK
+#include "dither.glsl"
+
+uniform float look_shown;  // Look
+uniform float look_rim;    // 0 or 1
+#endif
 
 layout(location = 0) out float out_distance;
 layout(location = 1) out vec4 out_normals;
@@ -30,9 +36,16 @@ void main() {
 #elif defined(MASKED)  // a shader that may discard tests depth late, even where it does not
     if (material_not_solid(m.alpha)) discard;
 #endif
+#ifdef WITH_LOOK
+    if (look_shown < dither_threshold(ivec2(gl_FragCoord.xy))) discard;
+#endif
     out_distance = camera_distance(relative);
     out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));
     out_albedo = vec4(m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic), m.metallic);
-    out_material = vec4(m.roughness, m.f0, m.occlusion, gbuffer_flags(m.unlit, m.transmission, m.base_colour));
+    float flags = gbuffer_flags(m.unlit, m.transmission, m.base_colour);
+#ifdef WITH_LOOK
+    if (flags == 0.0) flags = look_rim;
+#endif
+    out_material = vec4(m.roughness, m.f0, m.occlusion, flags);
     out_emissive = vec4(m.emissive / emissive_scale, m.transmission * (1.0 - m.metallic));
 }

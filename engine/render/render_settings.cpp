@@ -102,6 +102,16 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.tone_map)
         .cost("none")
         .docs("From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.");
+    schema.declare<float>("render.shoulder")
+        .unit("of white")
+        .range(0.0f, 100.0f)
+        .initially(d.shoulder)
+        .cost("none")
+        .docs(
+            "How far what is brighter than white stays apart before it is tone mapped: of m times white "
+            "there "
+            "stays 1 + w ln(1 + (m - 1) / w), of the same hue, so that the wall behind a lamp keeps its "
+            "colour and its shades. 0: as the tone map alone has it. lamplighter's is 0.5.");
     schema.declare<float>("render.bloom.share")
         .range(0.0f, 1.0f)
         .initially(d.bloom_share)
@@ -118,6 +128,15 @@ void declare_render_settings(SettingsSchema& schema) {
         .docs(
             "Share of the scattered light that each ring of the halo hands on to the next, twice as wide; 0: "
             "none goes beyond 8 pixels.");
+    schema.declare<float>("render.rim")
+        .range(0.0f, 1.0f)
+        .initially(d.rim)
+        .cost("0: none; else linear in the pixels of figures")
+        .docs(
+            "Optical depth of a fuzz on what a program says has one (lamplighter: its figures; no other "
+            "does): "
+            "light from behind and around shines along its outline. In the picture alone: exposure, maps, "
+            "sensors and path know nothing of it. lamplighter's is 0.2.");
     schema.declare<float>("render.air.scattering")
         .unit("1/m")
         .range(0.0f, 0.2f)
@@ -191,8 +210,10 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_darkest = s.get<float>("render.exposure.darkest");
     r.still_kept = s.get<bool>("render.still.kept");
     r.exposure_glide = s.get<float>("render.exposure.glide");
+    r.shoulder = s.get<float>("render.shoulder");
     r.bloom_share = s.get<float>("render.bloom.share");
     r.bloom_spread = s.get<float>("render.bloom.spread");
+    r.rim = s.get<float>("render.rim");
     r.air_scattering = s.get<float>("render.air.scattering");
     r.air_steps = s.get<int>("render.air.steps");
     r.tone_map = s.get<ToneMap>("render.tone_map");

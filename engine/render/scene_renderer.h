@@ -9,6 +9,7 @@
 #include "engine/render/blend.h"
 #include "engine/render/glow_pass.h"
 #include "engine/render/line_pass.h"
+#include "engine/render/looks.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/emissive.h"
 #include "lanthorn/render/frame.h"
@@ -31,6 +32,8 @@ class SceneRenderer {
     void keep_before(bool keep) { gpu_scene_.keep_before(keep); }
     // What each view shows from its next FrameRenderer::compose() on, timed as `glow` within `composite`.
     void show(const Glows& glows) { glows_ = glows; }
+    // The same from its next draw_gbuffer() on.
+    void show(const Looks& looks) { looks_ = looks; }
     int light_map_sets() const { return static_cast<int>(sets_.size()); }
 
   private:
@@ -51,6 +54,7 @@ class SceneRenderer {
     BlendPass blend_;
     std::unique_ptr<LinePass> lines_;  // null before there are any
     Glows glows_;
+    Looks looks_;
     GlowPass glow_pass_;
     std::vector<Set> sets_;
     std::uint64_t sets_made_ = 0;

@@ -28,6 +28,14 @@ vec3 tone_map_neutral(vec3 c) {
     return mix(c, vec3(new_peak), g);
 }
 
+// What is brighter than white is drawn together by the logarithm of how much, and keeps its hue, before it is tone mapped (Drago et
+// al. 2003, "Adaptive Logarithmic Mapping for Displaying High Contrast Scenes"; the ratio of channels kept as Schlick 1994 does):
+// of the brightest channel m there stays 1 + w ln(1 + (m - 1) / w), which leaves white with a slope of 1.
+vec3 draw_together(vec3 c, float w) {
+    float most = max(c.r, max(c.g, c.b));
+    return most > 1.0 ? c * ((1.0 + w * log(1.0 + (most - 1.0) / w)) / most) : c;
+}
+
 vec3 srgb_encode(vec3 c) {
     c = clamp(c, 0.0, 1.0);
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));

@@ -82,7 +82,8 @@ void draw_light_maps(Res<FrameScene> scene, Res<Renderer> renderer) {
     renderer->shared->draw_light_maps(*scene, views, *renderer->timer);
 }
 
-void draw_gbuffer(Res<Renderer> renderer) {
+void draw_gbuffer(Res<render::Looks> looks, Res<Renderer> renderer) {
+    renderer->shared->show(*looks);
     for_each_view(*renderer,
                   [&](const DrawnView& view) { view.frame->draw_gbuffer(*view.scene, *renderer->timer); });
 }
@@ -154,6 +155,9 @@ void RenderPlugin::build(App& app) {
     world.insert_resource(render::Lines());
     if (world.try_resource<render::Glows>() == nullptr) {
         world.insert_resource(render::Glows());
+    }
+    if (world.try_resource<render::Looks>() == nullptr) {
+        world.insert_resource(render::Looks());
     }
     if (world.try_resource<render::RenderSettings>() == nullptr) {
         world.insert_resource(render::RenderSettings());

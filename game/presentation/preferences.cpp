@@ -38,7 +38,8 @@ constexpr std::array kSwitches = {Switch{"fullscreen", &Preferences::fullscreen}
                                   Switch{"captions", &Preferences::captions},
                                   Switch{"symbols", &Preferences::symbols},
                                   Switch{"less_motion", &Preferences::less_motion},
-                                  Switch{"flicker", &Preferences::flicker}};
+                                  Switch{"flicker", &Preferences::flicker},
+                                  Switch{"rim", &Preferences::rim}};
 constexpr double kLongestFrame = 1000;  // milliseconds
 constexpr int kLeastPixels = 16, kMostPixels = 8192;
 

@@ -30,6 +30,7 @@ struct Preferences {
     bool symbols = false;        // a shape beside each colour that matters
     bool less_motion = false;    // no camera moves that the player does not make
     bool flicker = true;         // flames waver
+    bool rim = true;             // figures have light along their outlines
     std::string language;        // its file's name without the ending; empty: the system's
 
     bool operator==(const Preferences&) const = default;

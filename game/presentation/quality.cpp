@@ -26,6 +26,8 @@ Quality::Quality(const Options& options, std::uint64_t seed)
     settings_.set_from_text("render.upscale=temporal");  // where fewer pixels are drawn
     settings_.set("render.exposure.darkest", 0.1f);      // nits: the dark stays dark
     settings_.set("render.bloom.share", 0.1f);
+    settings_.set("render.rim", 0.2f);
+    settings_.set("render.shoulder", 0.5f);
     choose({options.preset});
 }
 

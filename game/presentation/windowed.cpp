@@ -239,6 +239,7 @@ void GameWindow::follow_time(Playthrough& level) {
     picture.exposure_glide = static_cast<float>(1 - std::exp(-window_.seconds() / kAdapts));
     picture.exposure_compensation = flow_.level().settings()->get<float>("render.exposure.compensation") +
                                     static_cast<float>(preferences.brightness);
+    picture.rim = preferences.rim ? flow_.level().settings()->get<float>("render.rim") : 0;
     const ivec2 size = glm::max(window_.framebuffer_size(), 1);
     const double narrower = std::max(kNarrow * size.y / size.x, 1.0);
     const double half = 0.5 * glm::radians(preferences.field_of_view);

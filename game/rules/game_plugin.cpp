@@ -12,6 +12,8 @@ void GamePlugin::build(App& app) {
     app.world().insert_resource(Intent());
     app.world().insert_resource(Flicker());
     app.world().insert_resource(render::Glows());
+    app.world().insert_resource(Fading());
+    app.world().insert_resource(render::Looks());
 
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("take_input", take_input).in("gameplay");
@@ -36,6 +38,8 @@ void GamePlugin::build(App& app) {
     fixed.add("show_glow", show_glow).after("wake_crystals").in("gameplay");
 
     app.frame_schedule().add("show_flames", show_flames).after("transforms");
+    app.frame_schedule().add("look_down_on_her", look_down_on_her).after("animation").before("transforms");
+    app.frame_schedule().add("show_looks", show_looks).after("transforms").before("extract");
 }
 
 }  // namespace lanthorn::game

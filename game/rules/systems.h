@@ -7,13 +7,16 @@
 #include "game/rules/components.h"
 #include "game/rules/figures.h"
 #include "game/rules/flames.h"
+#include "game/rules/looks.h"
 #include "game/rules/place_now.h"
 #include "game/rules/player_input.h"
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/system.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/physics/physics.h"
+#include "lanthorn/runtime/interpolation.h"
 #include "lanthorn/runtime/time.h"
+#include "lanthorn/runtime/view.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 
@@ -74,6 +77,15 @@ void wake_crystals(Query<Read<LightSensor>, Mut<Crystal>> crystals, Commands& co
 // What is seen of flames, at the moment that a frame shows.
 void show_flames(Query<Read<Flame>, Read<LightComponent>, Read<WorldTransform>> flames, Res<Time> time,
                  Res<Flicker> flicker, ResMut<render::Glows> shown);
+using Hierarchy = ecs::Lookup<Read<Parent>, Read<Figure>, Read<SkinInstance>>;
+// What is seen otherwise than it is; `before`: the frame before this one.
+void show_looks(Res<Intent> intent, Res<SharedPhysics> physics, Res<View> view, Res<Time> time,
+                Res<FrameScene> before, Query<Read<FollowCamera>, Read<WorldTransform>> cameras,
+                Query<Read<Eyes>, Read<WorldTransform>> eyes, Query<ecs::With<MeshInstances>> shapes,
+                Hierarchy above, ResMut<Fading> fading, ResMut<render::Looks> looks);
+// The nearer the camera is behind her, the further down it looks in the picture, so that she stays in it.
+// What is aimed at and simulated knows nothing of it.
+void look_down_on_her(Query<Read<FollowCamera>, Write<Interpolated>, Mut<LocalTransform>> cameras);
 // Makes the crystals' materials glow as much as they do. Alone: it edits assets.
 void show_glow(ecs::World& world);
 // The hero faces where she walks, and where she looks as soon as she handles something or looks far aside.

@@ -141,6 +141,7 @@ void draw_comfort(const Model& model, const Rows& rows, Preferences& preferences
     rows.flag("Symbols on colours", preferences.symbols);
     rows.flag("Less motion", preferences.less_motion);
     rows.flag("Flickering flames", preferences.flicker);
+    rows.flag("Outlines of figures", preferences.rim, "shine", "plain");
 }
 
 }  // namespace

@@ -67,6 +67,23 @@ TEST(Composite, ManualExposureIsEv100AndTheOutputIsSrgb) {
     }
 }
 
+// Beyond white the brightest channel goes by the logarithm, and takes the others along.
+TEST(Composite, ABrightColourKeepsItsHueOnItsShoulder) {
+    Wall wall;
+    wall.renderer.settings.exposure_mode = render::ExposureMode::manual;
+    wall.renderer.settings.exposure_ev100 = 0;  // 1.2 nits show as 1
+    wall.renderer.settings.tone_map = render::ToneMap::none;
+    const vec3 dark(0.9f, 0.4f, 0.1f), bright(8, 2, 0.5f);
+    const Shown before = wall.show(1.2f * dark);
+    wall.renderer.settings.shoulder = 0.5f;
+    EXPECT_EQ(wall.show(1.2f * dark).final, before.final);
+    const float most = 1 + 0.5f * std::log(1 + (bright.r - 1) / 0.5f);
+    const Shown shown = wall.show(1.2f * bright);
+    EXPECT_NEAR(shown.final.g, srgb(bright.g * most / bright.r), 0.6f / 255);
+    EXPECT_NEAR(shown.final.b, srgb(bright.b * most / bright.r), 0.6f / 255);
+    EXPECT_NEAR(shown.radiance.r, 1.2f * bright.r, 1e-3f);
+}
+
 TEST(Composite, ToneMapsHaveTheirKnownValues) {
     Wall wall;
     wall.renderer.settings.exposure_mode = render::ExposureMode::manual;

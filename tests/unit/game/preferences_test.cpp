@@ -26,6 +26,8 @@ Preferences chosen() {
             .captions = true,
             .symbols = true,
             .less_motion = true,
+            .flicker = false,
+            .rim = false,
             .language = "de"};
 }
 

@@ -43,8 +43,14 @@ class Composite {
     // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
     // settings say so; radiance() stays as it was.
     // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    // The scattering is timed as [bloom] where there is a timer.
-    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr);
+    // The scattering is timed as [bloom] where there is a timer. `fuzzy`: what the picture shows, where
+    // something of it has render.rim's fuzz; null: nothing has.
+    struct Fuzzy {
+        const GBuffer& gbuffer;
+        const CameraUniforms& camera;
+    };
+    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr,
+                 const Fuzzy* fuzzy = nullptr);
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
@@ -57,7 +63,8 @@ class Composite {
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
 
   private:
-    void expose(const RenderSettings& settings, bool reset);
+    // `around`: what rims need is measured as well.
+    void expose(const RenderSettings& settings, bool reset, bool around);
 
     ivec2 size_;
     gpu::Texture radiance_;
@@ -68,7 +75,7 @@ class Composite {
     BrdfTable brdf_table_;
     gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
     gpu::ProgramVariants compute_combine_{{"engine/render/combine.comp"}};
-    gpu::Program expose_;
+    gpu::ProgramVariants expose_{{"engine/render/expose.comp"}};
     gpu::ProgramVariants display_{{"engine/render/fullscreen.vert", "engine/render/display.frag"}};
     gpu::ProgramVariants compute_display_{{"engine/render/display.comp"}};
     std::unique_ptr<Bloom> bloom_;  // these once asked for

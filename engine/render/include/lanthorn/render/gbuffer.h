@@ -2,7 +2,9 @@
 // blended surfaces (alphaMode BLEND) that lie over it, a second one holds the nearest.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,18 +16,22 @@
 
 namespace lanthorn::render {
 
+struct Looks;
+
 class GBuffer {
   public:
     // `of`: the instances that it is to hold, DrawSet::solid or blend.
     explicit GBuffer(ivec2 size, DrawSet of = DrawSet::solid);
 
     // Draws the opaque and masked instances that the camera sees, far figures by coarser triangles
-    // (GpuScene::picture_level()).
-    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera) { draw(gpu_scene, camera, nullptr); }
+    // (GpuScene::picture_level()). `looks`: which of them look otherwise than they are; null: none.
+    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera, const Looks* looks = nullptr) {
+        draw_all(gpu_scene, camera, nullptr, looks);
+    }
     // Draws the nearest of what is blended before `solid`, of the same size and camera; parts that are as
     // good as clear are left out. For a G-buffer of DrawSet::blend.
     void draw_before(const GBuffer& solid, const GpuScene& gpu_scene, const CameraUniforms& camera) {
-        draw(gpu_scene, camera, &solid);
+        draw_all(gpu_scene, camera, &solid, nullptr);
     }
     // Those that the last draw drew, in its order.
     std::span<const DrawnInstance> drawn() const { return drawn_; }
@@ -42,7 +48,7 @@ class GBuffer {
     // 8-bit sRGB value, dark ones too.
     const gpu::Texture& albedo() const { return albedo_; }
     // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (1: unlit; 2 and more: what colour of light
-    // goes through; gbuffer_flags.glsl).
+    // goes through; 255: covered with fuzz; gbuffer_flags.glsl).
     const gpu::Texture& material() const { return material_; }
     // RGBA16F: emitted radiance divided by emissive_scale(); what share of the light that is not reflected
     // goes through (transmission less metallic) in a.
@@ -51,7 +57,11 @@ class GBuffer {
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
 
   private:
-    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera, const GBuffer* behind);
+    void draw_all(const GpuScene& gpu_scene, const CameraUniforms& camera, const GBuffer* behind,
+                  const Looks* looks);
+    // The last of drawn_, from `first` on, each by its look.
+    void draw_looked(const GpuScene& gpu_scene, const CameraUniforms& camera, std::size_t first,
+                     const Looks& looks);
 
     ivec2 size_;
     DrawSet of_;
@@ -63,6 +73,7 @@ class GBuffer {
     gpu::Texture depth_;
     gpu::Framebuffer framebuffer_;
     SceneProgram program_;
+    std::optional<SceneProgram> looked_;  // once something has a look
     std::vector<std::uint32_t> visible_;
     std::vector<DrawnInstance> drawn_;
     float emissive_scale_ = 1;

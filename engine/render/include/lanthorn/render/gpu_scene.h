@@ -106,6 +106,7 @@ class GpuScene {
     std::uint32_t triangle_count(std::uint32_t instance, std::uint32_t level) const {
         return range({instance, level}).index_count / 3;
     }
+    std::uint32_t id(std::uint32_t instance) const { return instances_[instance].id; }  // Instance::id
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
     bool uses_levels() const { return levels_used_; }  // as use_levels() has been told

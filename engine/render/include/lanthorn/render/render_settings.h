@@ -33,8 +33,10 @@ struct RenderSettings {
     float exposure_darkest = 0.001f;                       // nits, automatic mode; render.exposure.darkest
     float exposure_glide = 0.05f;                          // share of the way a frame; render.exposure.glide
     ToneMap tone_map = ToneMap::aces;                      // render.tone_map
+    float shoulder = 0;                                    // of white; render.shoulder
     float bloom_share = 0;            // of light that is scattered around in the picture; render.bloom.share
     float bloom_spread = 0.75f;       // of it that goes on to each wider ring; render.bloom.spread
+    float rim = 0;                    // optical depth of fuzz on what has it; render.rim
     float air_scattering = 0;         // 1/m; render.air.scattering
     int air_steps = 8;                // places a ray and light; render.air.steps
     bool antialias = false;           // render.antialias
