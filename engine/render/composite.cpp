@@ -39,9 +39,17 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
 
 Composite::~Composite() = default;
 
-void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer) {
+void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer,
+                        const Composite* exposed_as) {
+    if (exposed_as != nullptr) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glCopyNamedBufferSubData(exposed_as->state_.id(), state_.id(), offsetof(State, exposure),
+                                 offsetof(State, exposure), sizeof(State::exposure));
+    }
     state_.bind_storage(kStateBinding);
-    expose(settings, reset_exposure);
+    if (exposed_as == nullptr) {
+        expose(settings, reset_exposure);
+    }
     const bool blooms = settings.bloom_share > 0;
     const bool compute = in_compute(settings.pixel_stage);
     const gpu::Program& program =

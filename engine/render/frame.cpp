@@ -118,7 +118,8 @@ void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& trac
                           settings.pixel_stage);
 }
 
-void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {
+void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer,
+                            const FrameRenderer* exposed_as) {
     const gpu::PassTimer::Scope pass(timer, "composite");
     indirect_ = indirect;
     shared_->draw_for(settings);
@@ -154,7 +155,8 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     }
     RenderSettings shown = settings;
     shown.antialias = settings.antialias || upscales();
-    composite.display(shown, cut_, &timer);
+    composite.display(shown, cut_, &timer,
+                      exposed_as != nullptr ? &exposed_as->targets_->composite : nullptr);
 }
 
 void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {

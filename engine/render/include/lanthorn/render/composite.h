@@ -43,8 +43,10 @@ class Composite {
     // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
     // settings say so; radiance() stays as it was.
     // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    // The scattering is timed as [bloom] where there is a timer.
-    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr);
+    // The scattering is timed as [bloom] where there is a timer. `exposed_as`: with the exposure of that one,
+    // which has been displayed, instead of one that suits this picture.
+    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr,
+                 const Composite* exposed_as = nullptr);
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
