@@ -76,7 +76,8 @@ void plan(Res<Renderer> renderer, Res<Views> views, Res<GiSettings> settings, Re
           ResMut<ViewTechniques> others, ResMut<render::TracedLobes> traced) {
     std::erase_if(others->entries, [&](const auto& entry) { return views->find(entry.first) == nullptr; });
     for (auto& [id, entry] : others->entries) {
-        if (!views->find(id)->is_drawn()) {
+        const View& view = *views->find(id);
+        if (!view.is_drawn() && !view.rests) {
             entry.active.technique.reset();
         }
     }

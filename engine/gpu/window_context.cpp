@@ -34,6 +34,7 @@ WindowContext::WindowContext(const std::string& title, ivec2 size, bool vsync) {
     glfwSwapInterval(vsync ? 1 : 0);
     try {
         adopt_current();
+        find_parts();
     } catch (...) {
         glfwDestroyWindow(window_);
         glfwTerminate();
@@ -49,8 +50,37 @@ WindowContext::~WindowContext() {
 void WindowContext::bind() {
     glfwMakeContextCurrent(window_);
 }
+// By names alone: GLX is not there on every system.
+void WindowContext::find_parts() {
+    if (glfwExtensionSupported("GLX_MESA_copy_sub_buffer") == GLFW_FALSE) {
+        return;
+    }
+    const auto display = reinterpret_cast<void* (*)()>(glfwGetProcAddress("glXGetCurrentDisplay"));
+    const auto drawable = reinterpret_cast<unsigned long (*)()>(glfwGetProcAddress("glXGetCurrentDrawable"));
+    display_ = display != nullptr ? display() : nullptr;
+    drawable_ = drawable != nullptr ? drawable() : 0;
+    if (display_ != nullptr && drawable_ != 0) {
+        show_part_ = reinterpret_cast<ShowPart>(glfwGetProcAddress("glXCopySubBufferMESA"));
+    }
+}
+
+void WindowContext::show_part(ivec2 corner, ivec2 size) {
+    parts_.emplace_back(corner, size);
+}
+
+void WindowContext::show_parts_alone() {
+    parts_alone_ = can_show_parts();
+}
+
 void WindowContext::swap_buffers() {
-    glfwSwapBuffers(window_);
+    if (!std::exchange(parts_alone_, false)) {
+        parts_.clear();
+        glfwSwapBuffers(window_);
+        return;
+    }
+    for (const auto& [corner, size] : std::exchange(parts_, {})) {
+        show_part_(display_, drawable_, corner.x, corner.y, size.x, size.y);
+    }
 }
 bool WindowContext::should_close() const {
     return glfwWindowShouldClose(window_) != 0;

@@ -40,10 +40,15 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
 Composite::~Composite() = default;
 
 void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer,
-                        const Fuzzy* fuzzy) {
+                        const Shown& as) {
+    const bool rims = as.fuzzy != nullptr && settings.rim > 0;
     state_.bind_storage(kStateBinding);
-    const bool rims = fuzzy != nullptr && settings.rim > 0;
     expose(settings, reset_exposure, rims);
+    if (as.exposed != nullptr) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glCopyNamedBufferSubData(as.exposed->state_.id(), state_.id(), offsetof(State, exposure),
+                                 offsetof(State, exposure), sizeof(State::exposure));
+    }
     const bool blooms = settings.bloom_share > 0;
     const bool compute = in_compute(settings.pixel_stage);
     std::vector<std::string> defines;
@@ -68,14 +73,14 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu
         bloom_->scattered().bind(1);
     }
     if (rims) {
-        fuzzy->gbuffer.distance().bind(2);
-        fuzzy->gbuffer.normals().bind(3);
-        fuzzy->gbuffer.material().bind(4);
+        as.fuzzy->gbuffer.distance().bind(2);
+        as.fuzzy->gbuffer.normals().bind(3);
+        as.fuzzy->gbuffer.material().bind(4);
         program.set("gbuffer_distance", 2);
         program.set("gbuffer_normals", 3);
         program.set("gbuffer_material", 4);
         program.set("rim_depth", settings.rim);
-        fuzzy->camera.set(program);
+        as.fuzzy->camera.set(program);
     }
     if (settings.shoulder > 0) {
         program.set("shoulder", settings.shoulder);

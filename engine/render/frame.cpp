@@ -118,7 +118,8 @@ void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& trac
                           settings.pixel_stage);
 }
 
-void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {
+void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer,
+                            const FrameRenderer* exposed_as) {
     const gpu::PassTimer::Scope pass(timer, "composite");
     indirect_ = indirect;
     shared_->draw_for(settings);
@@ -158,7 +159,9 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     const CameraUniforms looked = camera(scene);
     const Composite::Fuzzy fuzzy{targets_->gbuffer, looked};
     const bool rims = indirect.radiance == nullptr && shared_->looks_.have_rims();
-    composite.display(shown, cut_, &timer, rims ? &fuzzy : nullptr);
+    composite.display(shown, cut_, &timer,
+                      {.fuzzy = rims ? &fuzzy : nullptr,
+                       .exposed = exposed_as != nullptr ? &exposed_as->targets_->composite : nullptr});
 }
 
 void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {

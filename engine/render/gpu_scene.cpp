@@ -91,7 +91,7 @@ InstanceData describe(const Instance& instance, std::uint32_t material) {
     return data;
 }
 
-bool same(const InstanceData& a, const InstanceData& b) {
+bool same_instance(const InstanceData& a, const InstanceData& b) {
     return a.object_to_render == b.object_to_render && a.material == b.material && a.id == b.id;
 }
 
@@ -217,7 +217,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     for (std::size_t i = 0; i < count; ++i) {
         const Instance& instance = scene.instances[i];
         const InstanceData data = describe(instance, scene.mesh(instance).material);
-        const bool altered = grown || i >= old_count || !same(data, instances_[i]);
+        const bool altered = grown || i >= old_count || !same_instance(data, instances_[i]);
         instances_[i] = data;
         bounds_[i] = instance.bounds;
         deforms_[i] = instance.deformed != Instance::kNotDeformed;

@@ -101,7 +101,7 @@ std::int64_t layers_of(const std::vector<LightInstance>& lights) {
     return layers;
 }
 
-bool same(const LightData& a, const LightData& b) {
+bool same_light(const LightData& a, const LightData& b) {
     // No padding: all members are four bytes wide.
     return std::memcmp(&a, &b, sizeof(LightData)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
@@ -116,7 +116,7 @@ bool same_map(const LightData& before, LightData now) {
     now.cone_offset = before.cone_offset;
     now.range = before.range;
     now.id = before.id;
-    return same(before, now);
+    return same_light(before, now);
 }
 
 // Never shorter than the uniform block that lights.glsl may declare.
@@ -182,7 +182,7 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
 
     const std::vector<LightData> before = std::exchange(lights_, std::move(lights));
     const bool altered =
-        before.size() != lights_.size() || !light_buffer_ || !std::ranges::equal(before, lights_, same);
+        before.size() != lights_.size() || !light_buffer_ || !std::ranges::equal(before, lights_, same_light);
     if (altered) {
         write_lights(lights_, light_buffer_);
         shining_ = shining_lights(lights_);
@@ -249,7 +249,7 @@ std::vector<LightData> LightMaps::describe_lights(const FrameScene& scene, int r
         described_.clear();
         return lights;
     }
-    if (std::ranges::equal(lights, described_, same)) {
+    if (std::ranges::equal(lights, described_, same_light)) {
         return {lights_.begin(), lights_.begin() + punctual_count_};
     }
     described_ = lights;

@@ -95,11 +95,24 @@ void draw_direct(Res<render::TracedLobes> traced, Res<Renderer> renderer) {
     });
 }
 
-void compose(Res<render::IndirectLight> indirect, Res<render::Glows> glows, Res<Renderer> renderer) {
+// Whose exposure a view has beside its own; null: its own. Views are composed in their order.
+const FrameRenderer* exposed_as(const DrawnView& view, const Renderer& renderer, const Views& others) {
+    const View* asked = view.id == ViewId::first ? nullptr : others.find(view.id);
+    if (asked == nullptr || !asked->exposed_as) {
+        return nullptr;
+    }
+    const auto found = std::ranges::find_if(renderer.views, [&](const auto& other) {
+        return other->id == *asked->exposed_as && other->finished;
+    });
+    return found == renderer.views.end() ? nullptr : (*found)->frame.get();
+}
+
+void compose(Res<render::IndirectLight> indirect, Res<render::Glows> glows, Res<Views> others,
+             Res<Renderer> renderer) {
     renderer->shared->show(*glows);
     for_each_view(*renderer, [&](DrawnView& view) {
         view.frame->compose(*view.scene, view.id == ViewId::first ? *indirect : view.indirect,
-                            *renderer->timer);
+                            *renderer->timer, exposed_as(view, *renderer, *others));
         view.finished = true;
     });
 }

@@ -37,6 +37,30 @@ SceneChanges everything(const FrameScene& scene) {
     return changes;
 }
 
+// What differs from a scene of some frames ago; nothing where things came or went, or assets are others.
+std::optional<SceneChanges> changes_since(const FrameScene& before, const FrameScene& now) {
+    const auto same_thing = [](const Instance& a, const Instance& b) {
+        return a.id == b.id && a.mesh == b.mesh;
+    };
+    if (before.origin != now.origin || before.assets->serial != now.assets->serial ||
+        !std::ranges::equal(before.instances, now.instances, same_thing)) {
+        return std::nullopt;
+    }
+    SceneChanges changes;
+    changes.assets = false;
+    for (std::uint32_t i = 0; i < now.instances.size(); ++i) {
+        const Instance &was = before.instances[i], &is = now.instances[i];
+        if (was.transform != is.transform || was.bounds != is.bounds || was.version != is.version) {
+            changes.moved.push_back(i);
+            changes.dirty.add(was.bounds);
+            changes.dirty.add(is.bounds);
+        }
+    }
+    changes.geometry = !changes.moved.empty();
+    changes.lights = before.lights != now.lights || before.sky != now.sky;
+    return changes;
+}
+
 // The scene for a view that has none of its own yet, or of the frame before.
 void see(DrawnView& drawn, const FrameScene& scene, const CameraView& look, bool goes_on) {
     const bool same_look =
@@ -73,6 +97,7 @@ void start(DrawnView& drawn, ViewId id, const View& view, const render::RenderSe
 
 void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& renderer) {
     std::vector<std::unique_ptr<DrawnView>> before = std::exchange(renderer.views, {});
+    std::vector<std::unique_ptr<DrawnView>> rested = std::exchange(renderer.resting, {});
     const auto& settings = world.resource<render::RenderSettings>();
     if (!renderer.shared) {
         renderer.shared = std::make_shared<render::SceneRenderer>();
@@ -100,11 +125,23 @@ void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& re
         renderer.views.push_back(std::move(drawn));
     }
     for (const auto& [id, view] : world.resource<Views>().all()) {
+        std::unique_ptr<DrawnView> waited = taken(rested, id);
+        if (view.rests) {
+            waited = waited ? std::move(waited) : taken(before, id);
+            if (waited) {
+                renderer.resting.push_back(std::move(waited));
+            }
+            continue;
+        }
         if (!view.is_drawn()) {
             continue;
         }
-        std::unique_ptr<DrawnView> drawn = taken(before, id);
-        const bool goes_on = drawn && drawn->finished;
+        // What it has missed where it rested.
+        const std::optional<SceneChanges> missed =
+            waited && waited->finished ? changes_since(*waited->own, scene) : std::nullopt;
+        const bool has_waited = waited != nullptr;
+        std::unique_ptr<DrawnView> drawn = has_waited ? std::move(waited) : taken(before, id);
+        const bool goes_on = has_waited ? missed.has_value() : drawn && drawn->finished;
         const bool known = drawn != nullptr;
         if (!drawn) {
             drawn = std::make_unique<DrawnView>();
@@ -116,6 +153,11 @@ void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& re
             drawn->frame->restart();
         }
         see(*drawn, scene, look_of(world, view, scene.origin).value_or(frame_all(scene)), goes_on);
+        if (missed) {
+            const bool looks_elsewhere = drawn->own->changes.camera;
+            drawn->own->changes = *missed;
+            drawn->own->changes.camera = looks_elsewhere;
+        }
         renderer.views.push_back(std::move(drawn));
     }
     for (const std::unique_ptr<DrawnView>& drawn : renderer.views) {

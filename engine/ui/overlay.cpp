@@ -33,8 +33,16 @@ void Overlay::begin(const std::function<void()>& feed) {
 }
 
 void Overlay::end() {
+    draw(made());
+}
+
+ImDrawData& Overlay::made() {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return *ImGui::GetDrawData();
+}
+
+void Overlay::draw(ImDrawData& some) {
+    ImGui_ImplOpenGL3_RenderDrawData(&some);
 }
 
 void Overlay::renew_fonts() {

@@ -173,6 +173,15 @@ void PathTechnique::add_irradiance(const render::LightInputs& inputs, const rend
     sensor_light_.add(points, irradiances, targets);
 }
 
+SampleProgress PathTechnique::progress() const {
+    if (plan_.unlit != Unlit::no) {
+        return {};
+    }
+    const bool quiet =
+        settings_.target_noise > 0 && known_.noise <= static_cast<double>(settings_.target_noise);
+    return {known_.spp, settings_.spp, known_.spp >= settings_.spp || quiet};
+}
+
 GiStatistics PathTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);

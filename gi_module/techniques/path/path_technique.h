@@ -33,6 +33,7 @@ class PathTechnique final : public Technique {
     void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
+    SampleProgress progress() const override;
     GiStatistics statistics(bool count_photons) override;
 
   private:

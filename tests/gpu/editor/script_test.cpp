@@ -91,6 +91,28 @@ TEST_F(Script, ComparesTwoWaysToDraw) {
     EXPECT_FALSE(std::filesystem::exists(folder.path("no.png")));
 }
 
+// The path tracer's samples line by line, and back to the technique before it; the same lines twice.
+TEST_F(Script, TracesAPictureAndLeavesIt) {
+    const std::string text =
+        "new-room\ntechnique path\nexpect technique path\ntrace 64x36 3\nexpect progress 3 64\n"
+        "print progress 500\ntrace 64x36\nexpect progress 4 64\nmove /room/lamp 0 1 0\ntrace 64x36 2\n"
+        "expect progress 2 64\ntechnique back\nexpect technique emc\nprint progress\n";
+    const Outcome outcome = run(text);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "3 of 64 samples\n3 of 64 samples, 31 s left\n4 of 64 samples\n2 of 64 samples\nnothing is "
+              "traced\n");
+    EXPECT_EQ(run(text).out, outcome.out);
+    const Outcome all = run("new-room\ntechnique path\ntrace 16x9 70\nprint progress 500\n");
+    EXPECT_EQ(all.out, "64 of 64 samples\n64 of 64 samples\n") << all.err;
+    EXPECT_EQ(run("new-room\ntechnique path\ntrace 64x36\nexpect progress 2 64\n").code, 1);
+    for (const char* wrong : {"trace 64x36", "technique nothing", "technique back", "technique"}) {
+        const Outcome bad = run(std::string("new-room\n") + wrong + "\n");
+        EXPECT_EQ(bad.code, 2) << wrong;
+        EXPECT_EQ(bad.error_lines(), 1) << bad.err;
+    }
+}
+
 // A level as a recorded session leaves it: one step, seen by the player's eyes.
 TEST_F(Script, BeginsInTheStateOfARecording) {
     const std::string level = support::repository_file("assets/levels/shutter.glb");

@@ -5,10 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "game/rules/components.h"
+#include "gi_module/techniques/path/path.h"
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/render/render_settings.h"
+#include "lanthorn/runtime/render_plugin.h"
 #include "tests/gpu/editor_window/hand.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
@@ -21,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLamp = "/lantern/lantern-light";
+const gi::TechniqueKind kPath = gi::add_path();  // beside emc, before any window asks which there are
 
 class Hand : public WindowTest {
   protected:
@@ -128,11 +133,17 @@ TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
     take_the_lamp();
     ASSERT_TRUE(comes([&] { return height() > low && state().picture.facts().quality == Quality::drag; }));
     EXPECT_GT(state().picture.facts().changed, 0);
-    EXPECT_EQ(steps(), 0u);  // a gesture is no step before it ends
+    const auto texels = [&] {
+        return state().session.world().resource<render::RenderSettings>().shadow_resolution;
+    };
+    const int chosen = state().settings.get<int>("render.shadow.resolution");
+    EXPECT_EQ(texels(), chosen / 2);  // of lamps' maps
+    EXPECT_EQ(steps(), 0u);           // a gesture is no step before it ends
     hand("mouseup 1");
     ASSERT_TRUE(comes([&] { return steps() == 1; }));
     ASSERT_TRUE(rests());
     EXPECT_EQ(state().picture.facts().quality, Quality::still);
+    EXPECT_EQ(texels(), chosen);
     EXPECT_TRUE(state().dirty);
     const double high = height();
 
@@ -273,7 +284,7 @@ TEST_F(Hand, ComparesTwoTechniquesOfTheSameMoment) {
     ASSERT_TRUE(rests());
     const PictureFacts& a = state().picture.other_facts();
     const PictureFacts& b = state().picture.facts();
-    EXPECT_EQ(a.technique, "none");  // this program has two
+    EXPECT_EQ(a.technique, "none");  // this program has no coarse-path
     EXPECT_EQ(b.technique, "emc");
     EXPECT_EQ(a.size, b.size);
     EXPECT_GT(a.ms, 0);
@@ -293,8 +304,13 @@ TEST_F(Hand, ComparesTwoTechniquesOfTheSameMoment) {
     ASSERT_TRUE(comes([&] { return state().picture.facts().quality == Quality::drag; }));
     EXPECT_FALSE(state().picture.other_is_new());
     EXPECT_NE(state().picture.other_texture(), 0u);
+    const Renderer& renderer = std::as_const(state().session.world()).resource<Renderer>();
+    EXPECT_EQ(renderer.resting.size(), 1u);
     hand("mouseup 1");
     ASSERT_TRUE(comes([&] { return steps() == 1 && state().picture.other_is_new(); }));
+    ASSERT_EQ(renderer.views.size(), 2u);
+    EXPECT_FALSE(renderer.views[1]->restarted);  // A goes on
+    EXPECT_EQ(renderer.views[1]->frame->exposure(), renderer.frame->exposure());
     hand("key ctrl+z");
     ASSERT_TRUE(comes([&] { return steps() == 0; }));
 
@@ -362,6 +378,53 @@ TEST_F(Hand, WishesForLightAndSolvesThat) {
     EXPECT_NEAR(now.before, 100, 4 * std::hypot(row.found->noise * 100 / row.found->before, now.noise));
     hand("key ctrl+z");
     ASSERT_TRUE(comes([&] { return steps() == 0; }));
+}
+
+// The path tracer: how far it has come, an edit that begins it again, and out by Esc, by the button and by
+// its key.
+TEST_F(Hand, IsDrawnByThePathTracerAndComesBack) {
+    ASSERT_EQ(gi::technique_entry(kPath).name, "path");
+    ASSERT_TRUE(rests());
+    EXPECT_FALSE(state().traced.grows());
+    hand("key alt+9");
+    ASSERT_TRUE(comes([&] { return state().traced.progress().done >= 9 && !state().pace.due(); }));
+    EXPECT_EQ(state().picture.facts().technique, "path");
+    EXPECT_EQ(state().picture.facts().quality, Quality::still);
+    EXPECT_EQ(state().traced.progress().wanted, 64);
+    const double left = state().traced.seconds_left().value_or(0);
+    EXPECT_GT(left, 0);
+    const int done = state().traced.progress().done;
+    ASSERT_TRUE(comes([&] { return state().traced.progress().done >= done + 3; }));  // it goes on
+    EXPECT_FALSE(window_->asleep());
+
+    hand("mousemove " + at(lamp()) + " click 1");
+    ASSERT_TRUE(comes([&] { return state().chosen.size() == 1; }));
+    EXPECT_GT(state().traced.progress().done, done);  // to choose is no edit
+    drag_up(lamp());
+    ASSERT_TRUE(comes([&] { return state().picture.facts().quality == Quality::drag; }));
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return steps() == 1 && state().picture.facts().quality == Quality::rest; }));
+    EXPECT_LT(state().traced.progress().done, done);
+    EXPECT_TRUE(state().traced.due());
+
+    hand("key Escape");
+    ASSERT_TRUE(comes([&] { return state().picture.facts().technique == "emc"; }));
+    EXPECT_EQ(state().chosen.size(), 1u);  // the first Esc is about what is traced
+    EXPECT_FALSE(state().traced.grows());
+    EXPECT_EQ(steps(), 1u);
+
+    hand("key alt+9");
+    ASSERT_TRUE(comes([&] { return state().traced.due() && !state().cancel_button.empty(); }));
+    const Box button = state().cancel_button;
+    hand("mousemove " + at({button.x + button.width / 2, button.y + button.height / 2}) + " click 1");
+    ASSERT_TRUE(comes([&] { return state().picture.facts().technique == "emc"; }));
+    EXPECT_TRUE(state().cancel_button.empty());
+    hand("key alt+9");
+    ASSERT_TRUE(comes([&] { return state().traced.due(); }));
+    hand("key alt+9");
+    ASSERT_TRUE(comes([&] { return state().picture.facts().technique == "emc"; }));
+    ASSERT_TRUE(rests());
+    EXPECT_EQ(state().picture.facts().quality, Quality::still);
 }
 
 class PatientHand : public Hand {

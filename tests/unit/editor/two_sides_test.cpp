@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_plugin.h"
 
@@ -29,6 +31,21 @@ TEST(TwoSides, AreNamedByTechniqueAndPreset) {
     for (const char* wrong : {"", "paths", "emc/", "emc/fine", "emc/low/high"}) {
         EXPECT_THROW(drawn_as(wrong, now), InputError) << wrong;
     }
+}
+
+// An exposure of B's, stops and all, is what A has then.
+TEST(TwoSides, HaveOneExposure) {
+    SettingsSchema schema;
+    gi::declare_settings(schema);
+    Settings settings(schema);
+    settings.set_from_text("render.exposure.compensation", "1");
+    const double ev = ev100_of(settings, 0.25);
+    EXPECT_NEAR(std::exp2(1.0) / (1.2 * std::exp2(ev)), 0.25, 1e-12);
+    const Settings held = with_exposure(settings, ev);
+    EXPECT_EQ(held.text("render.exposure.mode"), "manual");
+    EXPECT_NEAR(static_cast<double>(held.get<float>("render.exposure.ev100")), ev, 1e-6);
+    EXPECT_EQ(held.text("render.exposure.compensation"), "1");
+    EXPECT_NO_THROW(with_exposure(settings, ev100_of(settings, 0)));
 }
 
 TEST(TwoSides, StandBesideALine) {

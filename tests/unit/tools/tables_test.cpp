@@ -18,7 +18,8 @@ std::string text_of(const char* path) {
 
 // After a change of what is declared: build the target update-tables.
 TEST(Tables, InThePagesAreWhatIsDeclared) {
-    for (const char* path : {"docs/level-fields.md", "docs/settings.md", "docs/what-you-get.md", "docs/plan.md"}) {
+    for (const char* path :
+         {"docs/level-fields.md", "docs/settings.md", "docs/what-you-get.md", "docs/plan.md"}) {
         const std::string page = text_of(path);
         EXPECT_EQ(with_tables(page, support::repository_file(path)), page) << path;
     }

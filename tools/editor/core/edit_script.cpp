@@ -151,6 +151,10 @@ void EditScript::run_line(const std::string& line) {
         show_clip(words);
     } else if (verb == "compare") {
         compare(words);
+    } else if (verb == "technique") {
+        choose_technique(words);
+    } else if (verb == "trace") {
+        trace(words);
     } else if (verb == "review") {
         review(words);
     } else if (verb == "same-as-game") {
@@ -222,6 +226,8 @@ void EditScript::expect(const std::vector<std::string>& words) {
         if (const Solved found = solve(words); !found.solved) {
             fail_check(found.words);
         }
+    } else if (what == "technique" || what == "progress") {
+        expect_progress(words);
     } else if (what == "clip" || what == "starts-with") {
         expect_clip(words);
     } else if (what == "selection") {
@@ -246,7 +252,8 @@ void EditScript::expect(const std::vector<std::string>& words) {
     } else {
         throw InputError(fmt::format(
             "expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
-            "steps, nodes, left, gone, warning, no-warning, wishes, clip, starts-with, solvable or selection",
+            "steps, nodes, left, gone, warning, no-warning, wishes, clip, starts-with, solvable, technique, "
+            "progress or selection",
             what));
     }
 }
@@ -258,6 +265,7 @@ void EditScript::need_context() {
     if (!context_) {
         context_ = gpu::create_headless_context();
     }
+    traced_size_ = ivec2(0);
 }
 
 void EditScript::picture(const std::vector<std::string>& words) {
@@ -358,11 +366,11 @@ EditScript::Solved EditScript::solve(const std::vector<std::string>& words) {
 }
 
 void EditScript::print(const std::vector<std::string>& words) {
-    expect_words(
-        words, 2, 4,
-        "print changes|clips|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|render-line "
-        "[WIDTHxHEIGHT "
-        "[FRAMES]]|solvable [RECORDING]|warnings|why X,Y [WIDTHxHEIGHT]|wishes");
+    expect_words(words, 2, 4,
+                 "print changes|clips|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|progress "
+                 "[MS]|render-line "
+                 "[WIDTHxHEIGHT "
+                 "[FRAMES]]|solvable [RECORDING]|warnings|why X,Y [WIDTHxHEIGHT]|wishes");
     const std::string& what = words[1];
     if (what == "changes") {
         const TextChanges changes = session_.changes();
@@ -372,6 +380,8 @@ void EditScript::print(const std::vector<std::string>& words) {
         }
     } else if (what == "solvable") {
         print_(solve(words).words);
+    } else if (what == "progress") {
+        print_progress(words);
     } else if (what == "clips") {
         print_clips();
     } else if (what == "hash") {
@@ -417,7 +427,7 @@ void EditScript::print(const std::vector<std::string>& words) {
     } else {
         throw InputError(fmt::format(
             "print: found '{}', expected changes, clips, error, hash, history, lights, left, nodes, "
-            "render-line, solvable, warnings, why or wishes",
+            "progress, render-line, solvable, warnings, why or wishes",
             what));
     }
 }

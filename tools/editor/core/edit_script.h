@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/core/light_wishes.h"
 #include "tools/editor/core/same_as_game.h"
+#include "tools/editor/core/traced_samples.h"
 #include "tools/editor/core/why_light.h"
 
 namespace lanthorn::editor {
@@ -31,6 +33,8 @@ namespace lanthorn::editor {
 //   picture FILE [WIDTHxHEIGHT [FRAMES]]   same-as-game [WIDTHxHEIGHT [FRAMES]]
 //   compare FILE A B [WIDTHxHEIGHT [FRAMES]]   (A, B: TECHNIQUE, TECHNIQUE/PRESET or /PRESET)
 //   wish WHERE LUX [RADIUS]   keep PATH...   solve   forget-wishes   expect wishes met|missed
+//   technique TECHNIQUE|TECHNIQUE/PRESET|/PRESET|back   trace [WIDTHxHEIGHT [FRAMES]]
+//   expect technique TECHNIQUE   expect progress DONE WANTED   print progress [MS]
 //   print changes|clips|hash|history|lights|left|nodes|warnings|wishes   print render-line [WIDTHxHEIGHT
 //   [FRAMES]]
 //
@@ -77,6 +81,12 @@ class EditScript {
     // [WIDTHxHEIGHT [FRAMES]] from word `at` on.
     static CheckedFrames frames_in(const std::vector<std::string>& words, std::size_t at);
     void compare(const std::vector<std::string>& words);  // edit_script_sides.cpp
+    // edit_script_tracing.cpp
+    void choose_technique(const std::vector<std::string>& words);
+    void trace(const std::vector<std::string>& words);
+    std::string progress_words() const;
+    void print_progress(const std::vector<std::string>& words);
+    void expect_progress(const std::vector<std::string>& words);
     // edit_script_clips.cpp
     void show_clip(const std::vector<std::string>& words);
     void expect_clip(const std::vector<std::string>& words);
@@ -89,7 +99,11 @@ class EditScript {
 
     std::unique_ptr<gpu::Context> context_;  // before what draws in it
     EditSession session_;
-    const Settings& settings_;
+    Settings settings_;
+    std::optional<Settings> settings_before_;  // of `technique`
+    ivec2 traced_size_{0};                     // of the frames that `trace` drew last; 0: others were drawn
+    std::uint64_t traced_version_ = 0;         // of the session
+    TracedSamples traced_;
     std::function<void(const std::string&)> print_;
     Solver solver_;
     std::vector<std::string> gathered_;  // of begin

@@ -21,7 +21,7 @@ void EditScript::compare(const std::vector<std::string>& words) {
     const DrawnAs as[2] = {drawn_as(words[2], now), drawn_as(words[3], now)};
     need_context();
     session_.refresh_guests();
-    const DrawnSide a = draw_side(session_, as[0], what), b = draw_side(session_, as[1], what);
+    const DrawnSide b = draw_side(session_, as[1], what), a = draw_side(session_, as[0], what, b.ev100);
     write_image(words[1], side_by_side(a.final, b.final, 0.5));
     print_(fmt::format("A: {}, {:.0f} ms", words_of(as[0]), a.ms));
     print_(fmt::format("B: {}, {:.0f} ms", words_of(as[1]), b.ms));

@@ -1,5 +1,7 @@
 #include "tools/editor/core/two_sides.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +15,7 @@ namespace lanthorn::editor {
 
 namespace {
 
+constexpr double kDarkestEv = -20, kBrightestEv = 40;  // that render.exposure.ev100 takes
 constexpr const char* kUpscale = "render.upscale";
 
 }  // namespace
@@ -39,8 +42,23 @@ DrawnAs drawn_as(std::string_view words, const DrawnAs& now) {
     return result;
 }
 
-DrawnSide draw_side(EditSession& session, const DrawnAs& as, const CheckedFrames& what) {
-    begin_cold(session, as.settings, what.size);
+// As engine/render/composite.cpp has it: EV100 maps 1.2 * 2^EV nits to 1.
+double ev100_of(const Settings& settings, double exposure) {
+    const auto stops = static_cast<double>(settings.get<float>("render.exposure.compensation"));
+    return std::log2(std::exp2(stops) / (1.2 * std::max(1e-12, exposure)));
+}
+
+Settings with_exposure(Settings settings, double ev100) {
+    settings.set_from_text("render.exposure.mode", "manual");
+    settings.set_from_text(
+        "render.exposure.ev100",
+        fmt::format("{}", static_cast<float>(std::clamp(ev100, kDarkestEv, kBrightestEv))));
+    return settings;
+}
+
+DrawnSide draw_side(EditSession& session, const DrawnAs& as, const CheckedFrames& what,
+                    std::optional<double> ev100) {
+    begin_cold(session, ev100 ? with_exposure(as.settings, *ev100) : as.settings, what.size);
     const ecs::World& world = std::as_const(session.app()).world();
     const auto frame_made = [&]() -> const render::FrameRenderer& {
         return *world.resource<Renderer>().frame;
@@ -56,6 +74,7 @@ DrawnSide draw_side(EditSession& session, const DrawnAs& as, const CheckedFrames
     side.final = frame.read(render::Aov::final);  // waits for the frame
     side.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     side.indirect = frame.read(render::Aov::indirect);
+    side.ev100 = ev100_of(as.settings, static_cast<double>(frame.exposure()));
     return side;
 }
 

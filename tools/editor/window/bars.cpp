@@ -310,8 +310,7 @@ void draw_toolbar(EditorState& state) {
           "technique of indirect light", [&] {
               for (const std::string& name : gi::technique_names()) {
                   if (ImGui::Selectable(name.c_str(), name == state.settings.text("gi.technique"))) {
-                      state.settings.set_from_text("gi.technique", name);
-                      state.settings_changed = true;
+                      state.set_technique(name);
                   }
               }
           });

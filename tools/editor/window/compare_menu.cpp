@@ -48,9 +48,9 @@ void draw_compare_menu(EditorState& state) {
     ImGui::Separator();
     if (ImGui::MenuItem("Change sides", nullptr, false, as != nullptr)) {
         const editor::DrawnAs now = state.drawn_as();
+        state.set_technique(as->technique());
         state.settings = as->settings;
         state.preset = as->preset;
-        state.settings_changed = true;
         state.compare_as(now);
     }
     if (ImGui::MenuItem("Nothing beside", key_name(state.keymap, Act::compare).c_str(), false,

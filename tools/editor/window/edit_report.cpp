@@ -50,6 +50,10 @@ void EditReport::line(const EditorState& state) {
     line["frames"] = state.picture.frames();
     line["quality"] = name_of(state.pace.due() ? facts.quality : Quality::still);
     line["refinement"] = state.refinement.words();
+    if (state.traced.grows()) {
+        line["progress"] = {state.traced.progress().done, state.traced.progress().wanted};
+        line["seconds_left"] = state.traced.seconds_left().value_or(0);
+    }
     line["technique"] = facts.technique;
     line["preset"] = facts.preset;
     line["view"] = facts.view;

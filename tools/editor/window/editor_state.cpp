@@ -8,6 +8,7 @@
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
+#include "lanthorn/gi/technique.h"
 #include "tools/editor/window/lines.h"
 
 namespace lanthorn::edit_window {
@@ -34,6 +35,25 @@ void EditorState::compare_as(editor::DrawnAs as) {
     OtherSide side;
     side.as = std::move(as);
     compare(std::make_shared<const OtherSide>(std::move(side)));
+}
+
+bool EditorState::draws_reference() const {
+    const gi::TechniqueEntry* entry = gi::find_technique(settings.text("gi.technique"));
+    return entry != nullptr && entry->is_reference;
+}
+
+void EditorState::set_technique(const std::string& name) {
+    if (!draws_reference()) {
+        technique_before = settings.text("gi.technique");
+    }
+    settings.set_from_text("gi.technique", name);
+    settings_changed = true;
+}
+
+void EditorState::leave_reference() {
+    if (draws_reference()) {
+        set_technique(technique_before.empty() ? gi::technique_names().front() : technique_before);
+    }
 }
 
 void EditorState::say(const std::string& line, double now) {

@@ -19,6 +19,7 @@
 #include "tools/editor/core/edit_warnings.h"
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/recovery_log.h"
+#include "tools/editor/core/traced_samples.h"
 #include "tools/editor/window/beside_shown.h"
 #include "tools/editor/window/card_pictures.h"
 #include "tools/editor/window/command_desk.h"
@@ -81,7 +82,12 @@ struct EditorState {
     Pace pace;
     Refinement refinement;  // of a picture that is still
     bool refines = true;    // it is wanted
+    // Of a technique whose samples grow (`path`): how far the picture has come, and A.
+    editor::TracedSamples traced, other_traced;
+    Box cancel_button;             // where the bar of `traced` is left
+    std::string technique_before;  // that drawing goes back to then; empty: the first that there is
     Figures figures;
+    std::uint64_t other_pictures = 0;  // grows when a texture beside those of `picture` shows something else
 
     // How it is drawn: preview only.
     Settings settings;
@@ -140,6 +146,11 @@ struct EditorState {
     const KeptPicture* kept_picture() const;   // null: none stands there
     // How the picture is drawn, as a side of A|B.
     editor::DrawnAs drawn_as() const { return {settings, preset}; }
+    // Draws by that technique from the next frame on; the one of now is remembered for leave_reference().
+    void set_technique(const std::string& name);
+    // Where the reference draws (TechniqueEntry::is_reference), the technique before it does from now on.
+    void leave_reference();
+    bool draws_reference() const;
     // Beside the picture of now, that; null: nothing.
     std::function<void(std::shared_ptr<const OtherSide>)> compare;
     void compare_as(editor::DrawnAs as);

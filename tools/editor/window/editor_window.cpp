@@ -159,6 +159,11 @@ bool EditorWindow::turn() {
             s.window.flush();
             e.toast_until = 0;
         }
+        if (s.input.urgent() && s.session.is_open() && (e.pace.due() || s.refines_now())) {
+            // A click or a key is answered before a picture is begun.
+            s.draw_panels(false);
+            s.window.context().swap_buffers();
+        }
         if (e.pace.due()) {
             s.draw_picture();
         } else if (s.refines_now()) {
@@ -167,7 +172,9 @@ bool EditorWindow::turn() {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, size.x, size.y);
         s.draw_panels(false);
-        s.settling = std::max(e.cards.next_turn() ? 1 : 0, s.settling - 1);
+        const bool more = e.cards.next_turn();
+        e.other_pictures += more ? 1 : 0;
+        s.settling = std::max(more ? 1 : 0, s.settling - 1);
     }
     s.follow_rest();
     s.follow_wishes();

@@ -80,7 +80,7 @@ std::optional<Happening> InputQueue::next() {
 }
 
 void InputQueue::drawn() {
-    dirty_ = urgent_ = false;
+    dirty_ = urgent_ = uncovered_ = false;
     pressed_.clear();
     for (const auto& [code, modifiers] : std::exchange(released_, {})) {
         if (before_->key != nullptr) {
@@ -169,7 +169,7 @@ void InputQueue::on_drop(GLFWwindow* window, int count, const char** names) {
 
 void InputQueue::on_refresh(GLFWwindow* window) {
     InputQueue& q = *of();
-    q.dirty_ = true;
+    q.dirty_ = q.uncovered_ = true;
     if (q.before_->refresh != nullptr) {
         q.before_->refresh(window);
     }

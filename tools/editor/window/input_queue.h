@@ -42,8 +42,9 @@ class InputQueue {
     bool urgent() const { return urgent_; }
     double oldest() const {
         return oldest_;
-    }              // GLFW's time of the first urgent happening since the last UI frame
-    void drawn();  // a UI frame has been
+    }  // GLFW's time of the first urgent happening since the last UI frame
+    bool uncovered() const { return uncovered_; }  // since then what the window shows has been lost
+    void drawn();                                  // a UI frame has been
     vec2 pointer() const { return pointer_; }
     int modifiers() const;
     bool is_down(int key) const;  // now
@@ -66,7 +67,7 @@ class InputQueue {
     std::deque<Happening> waiting_;
     std::vector<int> pressed_;                   // keys since the last UI frame
     std::vector<std::pair<int, int>> released_;  // of these: key, modifiers
-    bool dirty_ = true, urgent_ = false;
+    bool dirty_ = true, urgent_ = false, uncovered_ = false;
     double oldest_ = 0;
     vec2 pointer_{0};
 };

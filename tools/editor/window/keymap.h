@@ -51,6 +51,7 @@ enum class Act {
     view_error,
     view_depth,
     view_next_debug,
+    reference,
     lock_exposure,
     only_picture,
     help,

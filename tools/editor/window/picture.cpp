@@ -220,7 +220,11 @@ double Picture::draw(App& app, ivec2 size, ivec2 whole, std::optional<ViewId> ot
     app.view().whole = whole;
     for (const auto& [id, view] : std::as_const(app).world().resource<Views>().all()) {
         View& beside = app.view(id);
-        beside.size = id == other ? size : ivec2(0);
+        beside.rests = id != other;
+        if (beside.rests) {
+            continue;
+        }
+        beside.size = size;
         beside.whole = whole;
         beside.camera = looks.camera;
         beside.placed = looks.placed;

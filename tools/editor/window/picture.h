@@ -39,8 +39,8 @@ class Picture {
     // frame before by more than kSame of 255; 1 where that had another size. Throws what the frame throws;
     // the picture before stays then.
     // `other`: a view of the App that is drawn in the same frame, from where the first one looks; the share
-    // is the larger of both then. Views that are neither are not drawn. Their times are told apart by waiting
-    // for each.
+    // is the larger of both then. Views that are neither rest (View::rests). Their times are told apart by
+    // waiting for each.
     double draw(App& app, ivec2 size, ivec2 whole, std::optional<ViewId> other,
                 const std::function<void()>& breathe);
     // Which picture is shown of the frames that follow: "final", "indirect", "direct", "albedo", "normals",

@@ -89,7 +89,8 @@ class Viewport {
     void finish_drag(bool keep, double now);
     // A key while a handle is held: digits, an axis, the end. Returns whether it was one.
     bool take_drag_key(const Happening& happening);
-    void draw_badge();
+    float draw_badge();              // returns where its lines end: pixels from the top
+    float draw_progress(float top);  // likewise
     void draw_icons();
     void draw_selection();
     void draw_handles();

@@ -129,6 +129,7 @@ bool Viewport::act_on_camera(Act act, double now) {
             return;
         }
         state_.other_side = view->beside;
+        ++state_.other_pictures;
         put_pose(view->pose, now);
         find_distance();
     };

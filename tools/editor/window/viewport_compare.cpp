@@ -44,6 +44,7 @@ std::shared_ptr<const OtherSide> Viewport::kept_side() const {
 void Viewport::compare(std::shared_ptr<const OtherSide> with, double now) {
     history_.leave(looked(), now, true);
     state_.other_side = std::move(with);
+    ++state_.other_pictures;
 }
 
 bool Viewport::over_divider(const vec2& pixel) const {
@@ -69,7 +70,11 @@ std::string Viewport::other_words(bool sized) const {
     if (state_.picture.other_texture() == 0) {
         return "A  " + words_of(*state_.other_side->as) + " - not drawn yet";
     }
-    return "A  " + picture_words(state_.picture.other_facts(), "", sized) +
+    const editor::TracedSamples& traced = state_.other_traced;
+    const std::string left = traced.left_words();
+    return "A  " +
+           picture_words(state_.picture.other_facts(), traced.words() + (left.empty() ? "" : ", " + left),
+                         sized) +
            (state_.picture.other_is_new() ? "" : " - as before the hand moved");
 }
 

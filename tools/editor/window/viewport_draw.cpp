@@ -62,6 +62,7 @@ void Viewport::draw(double now) {
         list.AddImage(id, {box.x, box.y}, {box.x + box.width, box.y + box.height}, {0, 1}, {1, 0});
     }
     list.PushClipRect({box.x, box.y}, {box.x + box.width, box.y + box.height}, true);
+    float below = box.y + 48 * state_.unit;  // the badge's lines
     if (state_.session.is_open()) {
         draw_compared();
         draw_compare_popup();
@@ -81,10 +82,10 @@ void Viewport::draw(double now) {
             list.AddRectFilled(im(*marquee_from_), im(last_), IM_COL32(255, 176, 64, 30));
             list.AddRect(im(*marquee_from_), im(last_), colour::chosen);
         }
-        draw_badge();
+        below = std::max(below, draw_progress(draw_badge()) + 8 * state_.unit);
     }
     const float pad = 4 * state_.unit;
-    const vec2 said(box.x + 8 * state_.unit, box.y + (state_.other_side ? 66 : 48) * state_.unit);
+    const vec2 said(box.x + 8 * state_.unit, below);
     if (!state_.problem.empty()) {
         chip(list, said, pad, colour::bad, state_.problem);
     } else if (now < state_.toast_until) {
@@ -93,13 +94,15 @@ void Viewport::draw(double now) {
     list.PopClipRect();
 }
 
-void Viewport::draw_badge() {
+float Viewport::draw_badge() {
     const PictureFacts& facts = state_.picture.facts();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     const float pad = 4 * state_.unit;
     const float row = ImGui::GetFontSize() + pad;
-    std::string words = picture_words(facts, state_.refinement.words());
+    // While samples are added their bar says how many there are.
+    const bool all_traced = state_.traced.grows() && !state_.traced.due();
+    std::string words = picture_words(facts, all_traced ? state_.traced.words() : state_.refinement.words());
     if (state_.session.moment() > 0) {
         words += fmt::format(" - at {:.2f} s", state_.session.moment());
     }
@@ -128,6 +131,7 @@ void Viewport::draw_badge() {
         const bool beside = wide + mine + pad < box.width;
         corner = beside ? vec2(box.x + box.width - mine, box.y) : vec2(box.x, box.y + row);
     }
+    float lowest = corner.y + row;
     chip(list, corner, pad, shade, words);
     const float at = corner.x + ImGui::CalcTextSize(words.c_str()).x + 3 * pad, top = corner.y;
     state_.game_button = {};
@@ -145,6 +149,7 @@ void Viewport::draw_badge() {
         const bool fits = at + size.x + 2 * pad < box.x + box.width;
         const vec2 place(fits ? at : box.x, fits ? top : top + row);
         chip(list, place, pad, colour_of, says);
+        lowest = std::max(lowest, place.y + row);
         state_.game_button = {place.x, place.y, size.x + 2 * pad, row};
         if (state_.game_button.contains(last_)) {
             ImGui::SetTooltip("draws the saved bytes by a fresh App, and compares bit for bit (G)");
@@ -154,7 +159,47 @@ void Viewport::draw_badge() {
         const std::string says = fmt::format("EV {:.1f} held", state_.locked_ev);
         const bool fits = at + ImGui::CalcTextSize(says.c_str()).x + 2 * pad < box.x + box.width;
         chip(list, fits ? vec2(at, top) : vec2(box.x, top + row), pad, colour::warning, says);
+        lowest = std::max(lowest, fits ? top + row : top + 2 * row);
     }
+    return lowest;
+}
+
+// Below the badge, while samples are added: how many of how many, the time that is left, and a way out.
+float Viewport::draw_progress(float top) {
+    const editor::TracedSamples& traced = state_.traced;
+    state_.cancel_button = {};
+    if (!traced.due() || state_.picture.facts().quality == Quality::drag) {
+        return top;
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Box& box = state_.layout.picture;
+    const float pad = 4 * state_.unit, row = ImGui::GetFontSize() + 2 * pad;
+    const std::string left = traced.left_words(), leave = "Cancel (Esc)";
+    std::string words = traced.words();
+    words += left.empty() ? "" : " \u00b7 " + left;
+    const float button = ImGui::CalcTextSize(leave.c_str()).x + 4 * pad;
+    // One width while the numbers in it grow.
+    const float wanted = std::max(17 * ImGui::GetFontSize(), ImGui::CalcTextSize(words.c_str()).x + 4 * pad);
+    const float wide = std::min(wanted, std::max(0.0f, box.width - button - 3 * pad));
+    const vec2 at(box.x + pad, top + pad), end = at + vec2(wide, row);
+    list.AddRectFilled(im(at), im(end), IM_COL32(0, 0, 0, 210));
+    list.AddRectFilled(im(at), {at.x + wide * static_cast<float>(traced.share()), end.y},
+                       IM_COL32(0x2f, 0x6a, 0xa8, 255));
+    list.AddRect(im(at), im(end), IM_COL32(0xa0, 0xa0, 0xa0, 255));
+    list.PushClipRect(im(at), im(end), true);
+    list.AddText({at.x + 2 * pad, at.y + pad}, colour::words, words.c_str());
+    list.PopClipRect();
+    const vec2 beside(end.x + pad, at.y);
+    state_.cancel_button = {beside.x, beside.y, button, row};
+    const bool over = state_.cancel_button.contains(last_);
+    list.AddRectFilled(im(beside), im(beside + vec2(button, row)),
+                       over ? IM_COL32(0x2f, 0x6a, 0xa8, 255) : IM_COL32(0x30, 0x30, 0x30, 255));
+    list.AddRect(im(beside), im(beside + vec2(button, row)), IM_COL32(0xa0, 0xa0, 0xa0, 255));
+    list.AddText({beside.x + 2 * pad, beside.y + pad}, colour::words, leave.c_str());
+    if (over) {
+        ImGui::SetTooltip("the picture is drawn by the technique before this one");
+    }
+    return end.y;
 }
 
 void Viewport::draw_icons() {

@@ -26,6 +26,7 @@ std::string error_words(const editor::ErrorMap& map) {
 
 // Too bright is red and plain, too dark is blue and chequered: colours are never alone.
 void Viewport::show_error(const editor::ErrorMap& map) {
+    ++state_.other_pictures;
     std::vector<std::uint8_t> texels;
     texels.reserve(4 * map.error.size());
     for (int y = 0; y < map.cells.y; ++y) {

@@ -124,6 +124,8 @@ bool EditorWindow::State::act_on_scene(Act what) {
                 e.problem.clear();
             } else if (e.why) {
                 e.why.reset();
+            } else if (open && e.traced.due()) {
+                leave_reference();
             } else {
                 e.select({});
             }
@@ -201,6 +203,21 @@ bool EditorWindow::State::act_on_file(Act what) {
             return false;
     }
     return true;
+}
+
+void EditorWindow::State::leave_reference() {
+    editor->leave_reference();
+    editor->say("drawn by " + editor->settings.text("gi.technique") + " again", now());
+}
+
+void EditorWindow::State::enter_reference() {
+    const auto& all = gi::techniques();
+    const auto found = std::ranges::find_if(all, &gi::TechniqueEntry::is_reference);
+    if (found == all.end()) {
+        editor->say("this program has no path tracer among its techniques", now());
+        return;
+    }
+    editor->set_technique(found->name);
 }
 
 bool EditorWindow::State::act_on_view(Act what) {
@@ -296,6 +313,13 @@ bool EditorWindow::State::act_on_view(Act what) {
         case Act::view_lux:
             view("lux");
             break;
+        case Act::reference:
+            if (e.draws_reference()) {
+                leave_reference();
+            } else {
+                enter_reference();
+            }
+            break;
         case Act::view_coverage:
         case Act::view_next_debug: {
             const gi::TechniqueEntry* entry = gi::find_technique(e.settings.text("gi.technique"));
@@ -319,9 +343,8 @@ bool EditorWindow::State::act_on_view(Act what) {
         case Act::lock_exposure: {
             const Renderer& renderer = session.world().resource<Renderer>();
             if (!e.exposure_locked && renderer.frame) {
-                const float stops = e.settings.get<float>("render.exposure.compensation");
-                e.locked_ev =
-                    std::log2(std::exp2(stops) / (1.2f * std::max(1e-12f, renderer.frame->exposure())));
+                e.locked_ev = static_cast<float>(
+                    editor::ev100_of(e.settings, static_cast<double>(renderer.frame->exposure())));
             }
             e.exposure_locked = !e.exposure_locked && renderer.frame;
             e.settings_changed = true;

@@ -14,7 +14,8 @@ void EditorWindow::State::follow_other_side(bool settings_changed) {
     const bool live = e.other_side && e.other_side->as && session.is_open();
     App& app = session.app();
     if (live && !other_view) {
-        other_view = app.add_view({.size = ivec2(0), .name = "A"});
+        // Light is compared: what is brighter looks brighter.
+        other_view = app.add_view({.size = ivec2(0), .name = "A", .exposed_as = ViewId::first});
     } else if (!live && other_view) {
         app.remove_view(*std::exchange(other_view, std::nullopt));
     }

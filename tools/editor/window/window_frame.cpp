@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/scene/components.h"
@@ -15,8 +16,11 @@ namespace lanthorn::edit_window {
 
 namespace {
 
-constexpr double kMovesEvery = 0.03;  // seconds between panels drawn in a 3D frame for a pointer that moved
-constexpr int kEstimateEvery = 4;     // pictures under a hand of which one has its error estimated
+// Seconds between panels drawn in a 3D frame for a pointer that moved; for one that drags something, which
+// shows with the next frame alone.
+constexpr double kMovesEvery = 0.03, kDraggedEvery = 0.15;
+constexpr int kEstimateEvery = 4;                // pictures under a hand of which one has its error estimated
+constexpr int kFewestTexels = 96;                // a side of a lamp's map under a hand
 constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
 
 // OpenGL's state that Dear ImGui's drawing expects and does not keep: for panels that are drawn between two
@@ -61,8 +65,7 @@ Settings EditorWindow::State::shown_settings(const Settings& chosen) {
     Settings shown = chosen;
     if (e.exposure_locked) {
         try {
-            shown.set_from_text("render.exposure.mode", "manual");
-            shown.set_from_text("render.exposure.ev100", fmt::format("{}", e.locked_ev));
+            shown = editor::with_exposure(std::move(shown), static_cast<double>(e.locked_ev));
         } catch (const Error& error) {
             e.problem = error.what();
         }
@@ -70,7 +73,22 @@ Settings EditorWindow::State::shown_settings(const Settings& chosen) {
     if (e.refines && Refinement::possible(shown)) {
         Refinement::prepare(shown);
     }
+    if (coarse_light) {
+        const int texels = shown.get<int>("render.shadow.resolution");
+        shown.set("render.shadow.resolution", std::min(texels, std::max(kFewestTexels, texels / 2)));
+    }
     return shown;
+}
+
+// While a hand edits the scene, maps of lamps have half the texels a side: of a lamp's frame they take the
+// most on a CPU, and no smaller picture spares them.
+void EditorWindow::State::follow_hand(Quality quality) {
+    const bool coarse =
+        window.info().software && quality == Quality::drag && (editor->desk.gesture() || coarse_light);
+    if (coarse != coarse_light) {
+        coarse_light = coarse;
+        gi::apply_settings(session.app(), shown_settings(editor->settings));
+    }
 }
 
 // What the preview has beside the scene: settings, held exposure, muted lights.
@@ -208,9 +226,29 @@ glm::dvec2 EditorWindow::State::whole_size() {
 }
 
 gi::ErrorEstimate EditorWindow::State::estimate_error() {
+    const gpu::PassEnd breathing([this] {
+        if (window.info().software) {
+            glFinish();
+        }
+        breathe();
+    });
     const gi::ErrorEstimate estimate = gi::technique_of(session.app(), ViewId::first).estimate_error();
     editor->estimate = estimate.known ? std::optional(estimate.local) : std::nullopt;
     return estimate;
+}
+
+// How far A and B have come, if their samples grow.
+void EditorWindow::State::follow_samples() {
+    EditorState& e = *editor;
+    const auto follow = [&](ViewId view, editor::TracedSamples& traced, double ms) {
+        traced.drew(gi::technique_of(session.app(), view).progress(), ms);
+    };
+    follow(ViewId::first, e.traced, e.picture.facts().ms);
+    if (e.picture.other_is_new()) {
+        follow(*other_view, e.other_traced, e.picture.other_facts().ms);
+    } else {
+        e.other_traced.forget();
+    }
 }
 
 // A frame more of a picture that is still.
@@ -219,17 +257,22 @@ void EditorWindow::State::refine_picture() {
     const ivec2 size = glm::max(ivec2(glm::round(whole_size())), 16);
     try {
         e.picture.draw(session.app(), size, size, other_view, [this] { breathe(); });
-        if (e.refinement.drew(e.picture.facts().ms)) {
+        resumed = true;
+        follow_samples();
+        if (e.refinement.due() && e.refinement.drew(e.picture.facts().ms)) {
             const gi::ErrorEstimate estimate = estimate_error();
             e.refinement.estimated(estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt);
             settling = std::max(settling, 1);
         }
-        if (!e.refinement.due()) {
+        if (!e.refinement.due() && !samples_due()) {
+            settling = std::max(settling, 1);
             viewport->read_light();
         }
     } catch (const Error& error) {
         e.problem = error.what();
         e.refinement.forget();
+        e.traced.forget();
+        e.other_traced.forget();
     }
 }
 
@@ -244,7 +287,12 @@ void EditorWindow::State::draw_picture() {
     const glm::dvec2 whole = whole_size();
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
     const double shows_hand = std::exchange(hand_at, 0);
+    follow_hand(quality);
     e.refinement.forget();
+    resumed = false;
+    if (quality == Quality::drag || e.picture.facts().quality == Quality::drag) {
+        e.traced.forget();  // what a pass of a smaller picture takes says nothing of this one
+    }
     try {
         // A is frozen while the hand moves: the hand has the time that it would take.
         const double changed =
@@ -255,7 +303,9 @@ void EditorWindow::State::draw_picture() {
         facts.quality = quality;
         facts.technique = e.settings.text("gi.technique");
         facts.preset = e.preset;
-        e.pace.drew(quality, scale, facts.ms, changed);
+        follow_samples();
+        // Samples that grow are told apart: what they alter from pass to pass is no reason to wait.
+        e.pace.drew(quality, scale, facts.ms, e.traced.grows() ? 0 : changed);
         if (!e.pace.due()) {
             facts.quality = e.pace.quality(now());
         }
@@ -293,7 +343,7 @@ void EditorWindow::State::draw_picture() {
 // In the middle of a frame, between two passes: answers what has happened over the picture before.
 void EditorWindow::State::breathe() {
     glfwPollEvents();
-    const bool moved = input.dirty() && now() - last_ui > kMovesEvery;
+    const bool moved = input.dirty() && now() - last_ui > (viewport->gesture() ? kDraggedEvery : kMovesEvery);
     if (!input.urgent() && !moved) {
         return;
     }

@@ -48,6 +48,10 @@ void EditorWindow::State::take_events() {
             act(Act::check_game);
             continue;
         }
+        if (over && happening->kind == Happening::Kind::press && e.cancel_button.contains(happening->at)) {
+            leave_reference();
+            continue;
+        }
         if (over && happening->kind == Happening::Kind::press && e.compare_button.contains(happening->at)) {
             act(Act::compare_menu);
             continue;

@@ -209,18 +209,26 @@ void EditorWindow::State::make_panels() {
     draw_sheet(e);
 }
 
-// The panels' own colours, by clearing: blending every pixel of a window takes longer than all that is in it.
-void EditorWindow::State::clear_grounds() const {
-    const int height = window.framebuffer_size().y;
-    glEnable(GL_SCISSOR_TEST);
-    for (const auto& [box, ground] : grounds) {
-        const int x = static_cast<int>(box.x), y = static_cast<int>(box.y);
-        const int right = static_cast<int>(box.x + box.width), bottom = static_cast<int>(box.y + box.height);
-        glScissor(x, height - bottom, right - x, bottom - y);
-        const ImVec4 c = ImGui::ColorConvertU32ToFloat4(ground);
-        glClearNamedFramebufferfv(0, GL_COLOR, 0, &c.x);
+// Draws those panels that differ from what the window shows. Their own colours by clearing: blending every
+// pixel of a window takes longer than all that is in it.
+void EditorWindow::State::paint_panels(ivec2 size) {
+    gpu::WindowContext& context = window.context();
+    // A GPU draws all of them sooner than they are compared.
+    const bool in_parts = window.info().software && context.can_show_parts();
+    if (!in_parts || input.uncovered()) {
+        painter.forget();
     }
-    glDisable(GL_SCISSOR_TEST);
+    const auto pictures = static_cast<std::uint64_t>(editor->picture.frames()) + editor->other_pictures;
+    const std::vector<Box> parts = painter.paint(overlay.made(), grounds, size, pictures,
+                                                 [this](ImDrawData& some) { overlay.draw(some); });
+    if (!in_parts) {
+        return;
+    }
+    context.show_parts_alone();
+    for (const Box& part : parts) {
+        const ivec2 extent(static_cast<int>(part.width), static_cast<int>(part.height));
+        context.show_part({static_cast<int>(part.x), size.y - static_cast<int>(part.y) - extent.y}, extent);
+    }
 }
 
 // The window sleeps while nothing happens, and what it says is to vanish all the same.
@@ -243,6 +251,7 @@ void EditorWindow::State::draw_panels(bool in_frame) {
         e.unit = static_cast<float>(e.text_scale);
         e.fonts = apply_editor_style(e.unit);
         overlay.renew_fonts();
+        painter.forget();
         e.pace.changed(now(), false);
     }
     const Layout before = e.layout;
@@ -259,8 +268,7 @@ void EditorWindow::State::draw_panels(bool in_frame) {
         e.pace.hold(fields_held, now());
     }
     glViewport(0, 0, size.x, size.y);
-    clear_grounds();
-    overlay.end();
+    paint_panels(size);
     if (report.on()) {
         glFinish();
     }

@@ -49,7 +49,7 @@ void EditorWindow::State::take_rest_figures(RestFigures figures) {
 // Once the picture's figures are there: they and the passes would be in each other's way.
 bool EditorWindow::State::refines_now() const {
     const EditorState& e = *editor;
-    return session.is_open() && !e.pace.due() && !e.pace.held() && e.refinement.due() &&
+    return session.is_open() && !e.pace.due() && !e.pace.held() && (e.refinement.due() || samples_due()) &&
            !e.layout.picture.empty() && !rest_watch.busy() && !game.running() && !solver.running();
 }
 
@@ -66,7 +66,7 @@ void EditorWindow::State::follow_rest() {
         costs.reset();
         return;
     }
-    if (e.refinement.due() && e.refinement.begun()) {
+    if ((e.refinement.due() || samples_due()) && resumed) {
         return;  // what is measured is the picture before it, and then the last one
     }
     const ivec2 size = e.picture.facts().size;
@@ -92,7 +92,7 @@ void EditorWindow::State::follow_rest() {
         job->contracts = workbench::contracts_of(session.world(), job->frame);
         rest_watch.measure(std::move(job));
     }
-    if (!e.refinement.due()) {
+    if (!e.refinement.due() && !samples_due()) {
         measure_costs(size);
     }
 }

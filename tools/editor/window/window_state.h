@@ -26,6 +26,7 @@
 #include "tools/editor/window/editor_window.h"
 #include "tools/editor/window/file_watch.h"
 #include "tools/editor/window/input_queue.h"
+#include "tools/editor/window/panel_painter.h"
 #include "tools/editor/window/viewport.h"
 #include "tools/editor/window/wish_solver.h"
 #include "tools/workbench/measure/light_costs.h"
@@ -75,6 +76,8 @@ struct EditorWindow::State {
     bool act_on_scene(Act act);
     bool act_on_file(Act act);
     bool act_on_view(Act act);
+    void leave_reference();
+    void enter_reference();
     // window_input.cpp
     void take_events();
     void take_key(const Happening& happening);
@@ -92,7 +95,9 @@ struct EditorWindow::State {
     void apply_preview();
     // Settings as they are drawn with here: an exposure that is held, and what refining needs.
     Settings shown_settings(const Settings& chosen);
-    void hide_other_side();  // until the next picture: others draw in the session's App
+    void follow_hand(Quality quality);  // of the next picture
+    bool coarse_light = false;          // shown_settings() have smaller maps of lamps
+    void hide_other_side();             // until the next picture: others draw in the session's App
     // window_compare.cpp
     void follow_other_side(bool settings_changed);
     std::optional<ViewId> other_view;             // of the session's App, while two ways are compared
@@ -137,6 +142,9 @@ struct EditorWindow::State {
     void draw_picture();
     bool refines_now() const;
     void refine_picture();
+    void follow_samples();
+    bool samples_due() const { return editor->traced.due() || editor->other_traced.due(); }
+    bool resumed = false;  // frames have been added to the picture since it was still
     glm::dvec2 whole_size();
     gi::ErrorEstimate estimate_error();
     void breathe();
@@ -144,8 +152,9 @@ struct EditorWindow::State {
     void draw_panels(bool in_frame);
     void set_alarm();
     void make_panels();
-    void clear_grounds() const;
-    std::vector<std::pair<Box, ImU32>> grounds;  // of the panels of this frame
+    void paint_panels(ivec2 size);
+    std::vector<PanelPainter::Ground> grounds;  // of the panels of this frame
+    PanelPainter painter;
     double now() const { return glfwGetTime(); }
 };
 

@@ -41,6 +41,15 @@ struct ErrorEstimate {
     double texels = 0;   // a side of a lit map's face
 };
 
+// How far a picture has come that is the mean of samples, of which each frame adds some while nothing
+// changes.
+struct SampleProgress {
+    int done = 0, wanted = 0;  // samples a pixel; wanted 0: it is no such picture, or has no light
+    bool ended = false;  // no frame adds more: all are taken, or the noise that was asked for is reached
+
+    bool operator==(const SampleProgress&) const = default;
+};
+
 // Statistics of one frame: its plan, how many values were NaN or infinite and therefore left out, and parts
 // of the technique's own types.
 class GiStatistics {

@@ -64,6 +64,9 @@ class Technique {
     // what shading and filtering the picture once more do. Alters nothing that frames are made from.
     virtual ErrorEstimate estimate_error() { return {}; }
 
+    // Of the last frame's picture. Reads what is known: no cost.
+    virtual SampleProgress progress() const { return {}; }
+
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;
 };

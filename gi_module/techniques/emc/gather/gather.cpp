@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
@@ -139,6 +140,7 @@ const GatherError::Parts& Gather::error_parts(const LitMaps& lit) {
         return error_parts_.emplace();
     }
     const gpu::Buffer& halves = hits_.halves(points_, lit.radiosity());
+    gpu::PassEnd::tell();
     const gpu::Buffer& irradiance = hits_.irradiance();
     const gpu::Buffer& noise = filter_.again(filtered_points(irradiance), halves);
     return error_parts_.emplace(

@@ -43,14 +43,19 @@ class Composite {
     // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
     // settings say so; radiance() stays as it was.
     // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    // The scattering is timed as [bloom] where there is a timer. `fuzzy`: what the picture shows, where
-    // something of it has render.rim's fuzz; null: nothing has.
+    // The scattering is timed as [bloom] where there is a timer.
     struct Fuzzy {
         const GBuffer& gbuffer;
         const CameraUniforms& camera;
     };
+    struct Shown {
+        const Fuzzy*
+            fuzzy;  // what the picture shows, where something of it has render.rim's fuzz; null: nothing has
+        const Composite*
+            exposed;  // which has been displayed: with its exposure; null: with one that suits this picture
+    };
     void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr,
-                 const Fuzzy* fuzzy = nullptr);
+                 const Shown& as = {});
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded

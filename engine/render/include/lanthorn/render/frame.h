@@ -101,8 +101,10 @@ class FrameRenderer {
     void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);     // [gbuffer]
     void draw_direct(const FrameScene& scene, const TracedLobes& traced,
                      gpu::PassTimer& timer);  // [direct]; nothing where compose() will be given it
-    void compose(const FrameScene& scene, const IndirectLight& indirect,
-                 gpu::PassTimer& timer);  // [composite], and in it [air] and [bloom] where they are on
+    // [composite], and in it [air] and [bloom] where they are on. `exposed_as`: a renderer whose picture of
+    // this frame is composed; this one's has the same exposure.
+    void compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer,
+                 const FrameRenderer* exposed_as = nullptr);
 
     // Over the picture, after compose(): both lists. Costs nothing for none. [lines]
     void draw_lines(const FrameScene& scene, std::span<const Line> some, std::span<const Line> more,

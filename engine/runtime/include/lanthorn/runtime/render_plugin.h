@@ -30,7 +30,7 @@ struct DrawnView {
 
     // For the plugin.
     std::shared_ptr<FrameScene> own;  // what `scene` is, unless that is the App's
-    bool finished = false;            // composed in the last frame
+    bool finished = false;            // composed in the frame that drew it last
     bool at_work = false;             // a pass is drawn for it now: as ViewPass says
 };
 
@@ -44,8 +44,9 @@ struct Renderer {
     bool timed = false;
     std::uint64_t frames = 0;  // drawn so far
 
-    std::shared_ptr<render::SceneRenderer> shared;  // what all views have in common
-    std::vector<std::unique_ptr<DrawnView>> views;  // drawn in the last frame, the first view first
+    std::shared_ptr<render::SceneRenderer> shared;    // what all views have in common
+    std::vector<std::unique_ptr<DrawnView>> views;    // drawn in the last frame, the first view first
+    std::vector<std::unique_ptr<DrawnView>> resting;  // View::rests
 
     // A view, and its picture. Throw Error if it was not drawn in the last frame.
     const DrawnView& drawn(ViewId id) const;

@@ -41,8 +41,14 @@ struct View {
     render::Lines lines = {};
     // Pixels of the picture that render.upscale makes of it; 0: as many as `size`.
     ivec2 whole{0};
+    // Of views beside the first: it is not drawn, and all that was kept for it waits (its textures, its
+    // technique's maps). When it is drawn again it goes on from there, told what has changed meanwhile;
+    // where things came or went, or assets changed, it starts without history.
+    bool rests = false;
+    // Of views beside the first: its picture is exposed as that one's, which is drawn before it.
+    std::optional<ViewId> exposed_as = {};
 
-    bool is_drawn() const { return size.x > 0 && size.y > 0; }  // has a size of 1 by 1 or more
+    bool is_drawn() const { return size.x > 0 && size.y > 0 && !rests; }  // has a size of 1 by 1 or more
 };
 
 // The views beside the first: a resource of every App, altered by App::add_view and App::remove_view.

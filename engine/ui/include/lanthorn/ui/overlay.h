@@ -4,6 +4,7 @@
 #include <functional>
 
 struct GLFWwindow;
+struct ImDrawData;
 
 namespace lanthorn::ui {
 
@@ -22,6 +23,10 @@ class Overlay {
     void begin(const std::function<void()>& feed = {});
     // Draws it over what the window shows.
     void end();
+    // The same in two steps: what is to be drawn, which is ImGui's until the next begin(); and drawing some
+    // of it.
+    ImDrawData& made();
+    void draw(ImDrawData& some);
 
     // Call when fonts of ImGui's atlas are others: letters are drawn at the size that they are seen at.
     void renew_fonts();
