@@ -76,6 +76,8 @@ void run_everything(const TemporaryFolder& dump) {
            {"--frames", "2", "--aov", "maps", "--aov", "coverage", "--stats", out.path("stats.json")});
     render(puppet, {"--frames", "3", "--set", "gi.emc.last_round=at_once", "--set", "gi.emc.rays=maps"});
     render(puppet, {"--frames", "8", "--set", "gi.gather.source=rays", "--set", "gi.emc.rays=maps"});
+    // Things move here, and no lamp does.
+    render(support::repository_file("assets/nave.glb"), {"--frames", "3", "--set", "gi.emc.rays=maps"});
     render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
     render(support::repository_file("assets/living-room.glb"),
            {"--frames", "1", "--set", "gi.emc.final=splat", "--set", "gi.emc.splat.glossy=variable"});

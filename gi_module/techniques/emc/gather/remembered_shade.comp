@@ -87,6 +87,7 @@ void main() {
     }
 #else
     int key = int(texelFetch(keys, int(i)).r);
+    if (uint(key) == kNoPoint) return;
     for (int k = 0; k < int(kRemembered) * RAYS; ++k) add_ray(texelFetch(remembered, k * capacity + key).r, k % 2 == 1);
 #endif
     vec4 mean = mean_of(vec4(sum, squares), all_rays, weights, more);

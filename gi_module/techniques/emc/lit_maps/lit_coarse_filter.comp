@@ -13,6 +13,7 @@ uniform float share;  // of the mean in what it gives; the rest is a texel's own
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
+    if (keys[i] == kNoPoint) return;
     int place = int(keys[i]);
     ivec2 p = ivec2(place % coarse_resolution, place / coarse_resolution % coarse_resolution);
     int face = place / (coarse_resolution * coarse_resolution);

@@ -28,6 +28,7 @@ void main() {
     if (i >= listed_count) return;
     int place = int(list[i]);
     vec4 point = texelFetch(lit_points, place);
+    if (!is_lit(point)) return;
     vec3 n = point_normal(point);
     float nearness = nearness_of(place, point.xyz, n);
     set_direct(place, direct_irradiance(point.xyz, n), nearness);

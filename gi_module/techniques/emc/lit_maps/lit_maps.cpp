@@ -10,8 +10,6 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kCoarser = 4;  // lit texels a side of one of E1
-constexpr int kLeastCoarse = 8;
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
 // Of a light's map, that a shadow may reach beyond what throws it (shadow.glsl): filter, and lifted points.
 constexpr float kShadowTexels = 6;
@@ -22,15 +20,12 @@ constexpr float kMostAlbedo = 0.95f;
 }  // namespace
 
 void LitMaps::build_programs() {
-    if (!coarse_program_) {
-        coarse_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_coarse_texels.comp"});
+    if (!filter_program_) {
         filter_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_coarse_filter.comp"});
         reflect_program_ =
             gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 0"});
         rims_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 1"});
         add_sky_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_add_sky.comp"});
-        relit_all_ =
-            gpu::Program({"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 1", "BOXES 1"});
     }
 }
 
@@ -42,18 +37,20 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     inputs.gpu_scene.bind_materials();
     const bool look_all = work.look_all || found.other_maps;
     bool all_are_new = false;
-    if (work.look) {
+    const bool with_photons = work.photon_bounces > 0 || work.sky_apart;  // lamps may come
+    if (work.look || (with_photons && !photons_follow_)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        all_are_new = look(maps, settings, inputs.scene, movers, look_all);
-        list();
-        if (work.photon_bounces > 0 || work.sky_apart) {  // lamps may come
-            photons_.look({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, settings,
-                          inputs.scene);
+        all_are_new =
+            look(maps, settings, inputs.scene, movers, look_all || (with_photons && !photons_follow_));
+        lists_.follow(texels_, maps, settings, inputs.scene, all_are_new, kTexelRays);
+        if (with_photons) {
+            photons_.look({maps, texels_, lists_}, settings, inputs.scene, all_are_new);
         }
+        photons_follow_ = with_photons;
     }
     if (work.recolour && !all_are_new) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        texels_.recolour(maps, settings, inputs.scene, lit_);
+        texels_.recolour(maps, settings, inputs.scene, lists_.lit());
     }
     const bool endless = settings.of<EmcSettings>().gather_endless, sky = inputs.scene.sky.has_value();
     has_indirect_ = bounces > 1 || sky;
@@ -87,9 +84,8 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     if (by_photons) {
         if (work.trace) {
             const gpu::PassTimer::Scope scope(inputs.timer, "lit_photons");
-            photons_.trace({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, inputs,
-                           settings, work.photon_bounces, endless, work.other_light, work.look,
-                           wide_.any() ? &wide_.triangles() : nullptr);
+            photons_.trace({maps, texels_, lists_}, inputs, settings, work.photon_bounces, endless,
+                           work.other_light, work.look, wide_.any() ? &wide_.triangles() : nullptr);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
         reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, direct_,
@@ -99,17 +95,17 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         radiosity_holds_ = false;
         return;
     }
-    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    const int keys = 6 * lists_.resolution() * lists_.resolution();
     for (const Returned& returned : found.returned) {
         hits_.put_back(keys * returned.slot, keys, *returned.rays);
     }
     if ((work.verify && !work.forget) || !found.returned.empty()) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_verify");
-        hits_.verify(coarse_, rays, &coarse_index_);
+        hits_.verify(lists_.coarse(), rays, &lists_.index());
     }
     if (work.shoot) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_rays");
-        hits_.shoot(coarse_, rays);
+        hits_.shoot(lists_.coarse(), rays);
         frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
@@ -127,7 +123,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     const gpu::Buffer& reflected = work.sky_apart ? from_sky_ : radiosity_;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const gpu::Buffer& before = sweep > 0 || goes_on ? reflected : from_sky ? sky_alone_ : first_;
-        const gpu::Buffer& e1 = smooth(inputs, maps, settings, hits_.shade(coarse_, before));
+        const gpu::Buffer& e1 = smooth(inputs, maps, settings, hits_.shade(lists_.coarse(), before));
         reflect(inputs, maps, settings, e1, endless ? kMostAlbedo : 1, work.sky_apart ? dark_ : direct_,
                 reflected);
     }
@@ -149,7 +145,7 @@ void LitMaps::add_sky(bool lamps) {
 }
 
 KeptRays LitMaps::kept_rays(int slot) const {
-    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    const int keys = 6 * lists_.resolution() * lists_.resolution();
     return keys > 0 ? hits_.kept(keys * slot, keys) : KeptRays();
 }
 
@@ -193,7 +189,6 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
         first_ = gpu::Buffer(all_places * sizeof(vec4));
         radiosity_ = gpu::Buffer(all_places * sizeof(vec4));
         sky_holds_ = false;
-        lit_.resize(places);
         relit_.resize(places);
         near_.resize(places);
         rims_.resize(places);
@@ -210,37 +205,19 @@ double LitMaps::time_of(const RayScene& rays) {
     double time = 0;
     for (int run = 0; run < 2; ++run) {
         hits_.forget();
-        time = 1e3 * seconds_of([&] { hits_.shoot(coarse_, rays); });
+        time = 1e3 * seconds_of([&] { hits_.shoot(lists_.coarse(), rays); });
     }
     hits_.forget();
     return time;
 }
 
-void LitMaps::list() {
-    coarse_resolution_ = std::max(kLeastCoarse, texels_.resolution() / kCoarser);
-    const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
-    if (coarse_.capacity() != places) {
-        coarse_index_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(std::uint32_t));
-        filtered_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(vec4));
-    }
-    coarse_.resize(places, coarse_resolution_, kTexelRays);
-    coarse_program_.use();
-    texels_.bind(coarse_program_, lit_points_view_, 0);
-    coarse_program_.set("coarse_resolution", coarse_resolution_);
-    coarse_program_.set("faces", texels_.faces());
-    coarse_program_.set("rays", kTexelRays);
-    coarse_.bind_storage();
-    coarse_index_.bind_storage(6);
-    lit_.clear();
-    lit_.bind_storage(7);
-    dispatch_items(places);
-    wait_for_shaders();
-}
-
-void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all) {
+const EntryList& LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all) {
     const std::span<const render::LightData> lights = inputs.light_maps.light_data();
     all = all || !std::ranges::equal(lights, lights_);
     lights_.assign(lights.begin(), lights.end());
+    if (all) {
+        return lists_.lit();
+    }
     const float diagonal = inputs.scene.diagonal();
     std::vector<vec4> origins;
     for (const render::LightData& light : lights) {
@@ -256,44 +233,43 @@ void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& mo
     }
     light_origins_.write(0, std::span<const vec4>(origins));
     relit_.clear();
-    if (all) {
-        relit_all_.use();
-    }
-    const gpu::Program& program = all ? relit_all_ : relit_programs_.use(movers.boxes(), 0);
+    const gpu::Program& program = relit_programs_.use(movers.boxes(), 0);
     texels_.bind(program, lit_points_view_, 0);
     changed_view_.bind(1, texels_.changed(), GL_R32UI);
     light_origins_view_.bind(2, light_origins_, GL_RGBA32F);
     program.set("changed", 1);
+    program.set("changed_blocks", texels_.changed_places());
     program.set("lights", 2);
     program.set("light_count", static_cast<int>(origins.size()));
     program.set("blocks", texels_.blocks());
     relit_.bind_storage(7);
     dispatch_items(texels_.blocks());
     wait_for_shaders();
+    return relit_;
 }
 
 void LitMaps::light(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                     const GiSettings& settings, const SweptBoxes& movers, bool all, bool looked,
                     const gpu::Buffer& bad_values) {
-    list_relit(inputs, movers, all);
+    const EntryList& relit = list_relit(inputs, movers, all);
     if (wide_.sampled()) {
         if (whole_direct_.bytes() != direct_.bytes()) {
             whole_direct_ = gpu::Buffer(direct_.bytes());
         }
-        shade(inputs, maps, settings, false, looked, whole_direct_, bad_values);
+        shade(inputs, maps, settings, relit, false, looked, whole_direct_, bad_values);
     }
-    shade(inputs, maps, settings, true, looked, direct_, bad_values);
+    shade(inputs, maps, settings, relit, true, looked, direct_, bad_values);
 }
 
 void LitMaps::shade(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                    const GiSettings& settings, bool without_wide, bool looked, const gpu::Buffer& direct,
-                    const gpu::Buffer& bad_values) {
+                    const GiSettings& settings, const EntryList& relit, bool without_wide, bool looked,
+                    const gpu::Buffer& direct, const gpu::Buffer& bad_values) {
     near_.clear();
     struct Step {
         render::LightPrograms& programs;
         const EntryList& list;
     };
-    for (const Step& step : {Step{direct_programs_, relit_}, Step{near_programs_, near_}}) {
+    for (const Step& step : {Step{direct_programs_, relit}, Step{near_programs_, near_}}) {
         const gpu::Program& program = step.programs.bind(inputs.light_maps, 0);
         if (without_wide) {
             wide_.bind_other_lights(inputs.light_maps);
@@ -345,13 +321,13 @@ void LitMaps::light_close(const render::LightInputs& inputs, const EnvironmentMa
 }
 
 void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {
-    index_view_.bind(2, coarse_index_, GL_R32UI);
-    points_view_.bind(3, coarse_.points(), GL_RGBA32F);
+    index_view_.bind(2, lists_.index(), GL_R32UI);
+    points_view_.bind(3, lists_.coarse().points(), GL_RGBA32F);
     irradiance_view_.bind(4, irradiance, GL_RGBA32F);
     program.set("coarse_index", 2);
     program.set("coarse_points", 3);
     program.set("coarse_irradiance", 4);
-    program.set("coarse_resolution", coarse_resolution_);
+    program.set("coarse_resolution", lists_.resolution());
 }
 
 // Blur takes light from where there is much to where there is little, and more so with each bounce: it serves
@@ -366,9 +342,12 @@ const gpu::Buffer& LitMaps::smooth(const render::LightInputs& inputs, const Envi
     bind_coarse(filter_program_, irradiance);
     filter_program_.set("share", static_cast<float>(RememberedHits::kFrames - std::max(frames_, 1)) /
                                      static_cast<float>(RememberedHits::kFrames - 1));
-    coarse_.bind_storage();
+    if (filtered_.bytes() != irradiance.bytes()) {
+        filtered_ = gpu::Buffer(irradiance.bytes());
+    }
+    lists_.coarse().bind_storage();
     filtered_.bind_storage(4);
-    coarse_.dispatch();
+    lists_.coarse().dispatch();
     wait_for_shaders();
     return filtered_;
 }
@@ -386,6 +365,8 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
         direct_view_.bind(7, direct, GL_RGBA32F);
         program.set("lit_albedo", 6);
         program.set("lit_direct", 7);
+        fits_view_.bind(8, lists_.fits(), GL_R32UI);
+        program.set("lit_fits", 8);
         program.set("most_albedo", most_albedo);
         reflected.bind_storage(5);
         list.bind_storage(6);
@@ -393,14 +374,14 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
         list.dispatch();
         wait_for_shaders();
     };
-    run(reflect_program_, lit_);
+    run(reflect_program_, lists_.lit());
     run(rims_program_, rims_);
 }
 
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + whole_direct_.bytes() + first_.bytes() + radiosity_.bytes() +
            sky_alone_.bytes() + from_sky_.bytes() + dark_.bytes() + texels_.albedo().bytes() +
-           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + near_.bytes() + rims_.bytes() +
+           texels_.points().bytes() + lists_.bytes() + relit_.bytes() + near_.bytes() + rims_.bytes() +
            hits_.bytes() + photons_.bytes();
 }
 

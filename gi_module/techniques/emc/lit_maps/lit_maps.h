@@ -41,7 +41,7 @@ class LitMaps {
                 const Found& found, const gpu::Buffer& bad_values);
 
     const LitTexels& texels() const { return texels_; }
-    std::uint32_t lit_texels() const { return lit_.count(); }  // waits for the GPU
+    std::uint32_t lit_texels() const { return lists_.lit_count(); }  // waits for the GPU
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there. After them what the sky sends, by its
     // places.
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
@@ -76,14 +76,14 @@ class LitMaps {
     // Whether all texels did.
     bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all);
-    void list();
     double time_of(const RayScene& rays);
     void light(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                const SweptBoxes& movers, bool all, bool looked, const gpu::Buffer& bad_values);
     void shade(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-               bool without_wide, bool looked, const gpu::Buffer& direct, const gpu::Buffer& bad_values);
+               const EntryList& relit, bool without_wide, bool looked, const gpu::Buffer& direct,
+               const gpu::Buffer& bad_values);
     // Which texels light() has to do.
-    void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
+    const EntryList& list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
     const gpu::Buffer& smooth(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                               const GiSettings& settings, const gpu::Buffer& irradiance);
     void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
@@ -103,31 +103,29 @@ class LitMaps {
     gpu::Buffer dark_;                   // 0
     std::optional<SkyInstance> of_sky_;  // that they hold
     bool sky_holds_ = false;
-    EntryList lit_;                          // places of lit texels
-    EntryList relit_;                        // those whose E0 is due
-    EntryList near_;                         // of relit_, those beside lamps
+    LitLists lists_;                         // of lit texels, and of points where E1 is gathered
+    EntryList relit_;                        // those whose E0 is due, unless it is all
+    EntryList near_;                         // of these, those beside lamps
     EntryList rims_;                         // those without a texel of E1 beside them
     std::vector<render::LightData> lights_;  // that E0 comes from
     bool has_indirect_ = false;              // E1 is not 0
-    SurfacePoints coarse_;                   // where E1 is gathered
-    gpu::Buffer coarse_index_;
-    int coarse_resolution_ = 0;
     RememberedHits hits_{RememberedHits::Of::lit_maps};
     LitPhotons photons_;
+    bool photons_follow_ = false;  // the last look at the maps
     WideEmitters wide_;
     int frames_ = 0;
     bool radiosity_holds_ = false;  // light of the frame before, by rays
     RayTimes times_;
     gpu::Buffer filtered_;  // E1, smoothed
-    gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_, add_sky_;
-    MoverPrograms relit_programs_{{"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 0"}};
+    gpu::Program filter_program_, reflect_program_, rims_program_, add_sky_;
+    MoverPrograms relit_programs_{{"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {}};
     gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct.comp"}};
     render::LightPrograms near_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct_near.comp"}};
     render::LightPrograms close_programs_{{"gi_module/techniques/emc/lit_maps/lit_close.comp"}};
     gpu::BufferTexture close_points_view_, close_owners_view_;
     gpu::BufferTexture index_view_, points_view_, irradiance_view_, lit_points_view_, albedo_view_,
-        direct_view_, changed_view_, light_origins_view_;
+        direct_view_, changed_view_, light_origins_view_, fits_view_;
 };
 
 }  // namespace lanthorn::gi

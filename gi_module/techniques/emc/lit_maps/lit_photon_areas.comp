@@ -1,17 +1,41 @@
 #version 450 core
-// Of the parts of the lit texels in the listed blocks: the lit texel that a photon that lands there would find, and how large they
-// are. What another map shows is counted there.
+// How large the parts are of the lit texels in the listed blocks, where a photon that lands there would find them. What another map
+// shows is counted there.
 layout(local_size_x = 256) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
 #include "lit_lookup.glsl"
 
-layout(std430, binding = 4) writeonly buffer Found { uvec4 found[]; };  // by place: the lit texel of each part; kUnlit: none
-layout(std430, binding = 5) writeonly buffer Areas { vec4 areas[]; };   // by place: m^2 of each part
+#include "lit_photon_parts.glsl"
+
+layout(std430, binding = 4) buffer Parts { vec4 parts[]; };  // by place: m^2 of each
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 const int kParts = 2;             // a side of a lit texel
+uniform usamplerBuffer homes;  // by place: that of the coarse texel + 1; 0: none
+
 const float kLeastFacing = 0.02;  // cosine: beyond it a texel tells nothing of the area that it shows
+
+// Whether a photon that lands at x, on a surface of normal n, finds a lit texel of that map: it shows the point, and no sharper one does.
+bool is_found_in(int slot, vec3 x, vec3 n) {
+    vec3 o = x - map_centres[slot].xyz;
+    float own = sharpness(o, n);
+    vec3 m;
+    bool found = own > 0.0 && met_there(lit_place(lit_texel(slot, o)), x, o, -n, n, m);
+    int s = 0;
+    while (found && s < map_count) {
+        vec3 from = x - map_centres[s].xyz;
+        float w = sharpness(from, n);
+        bool sharper = s != slot && (w > own || (w == own && s < slot)) && slot_in_use(s, 0.0);
+        bool asks = sharper;
+        while (asks) {
+            found = w > own && !met_there(lit_place(lit_texel(s, from)), x, from, -n, n, m);
+            asks = false;
+        }
+        ++s;
+    }
+    return found;
+}
 
 void main() {
     uint item = work_item();
@@ -21,7 +45,6 @@ void main() {
     int slot = p.z / 6;
     bool lit = is_lit(texelFetch(lit_points, place));
     float width = 2.0 / float(kParts * lit_resolution);
-    uvec4 which = uvec4(kUnlit);
     vec4 area = vec4(0.0);
     int k = 0;
     while (lit && k < kParts * kParts) {
@@ -32,14 +55,19 @@ void main() {
         float u2 = dot(u, u);
         vec3 o = u / max(inverse, 1e-20);
         vec3 n = plane_normal(g);
-        uint there = inverse > 0.0 ? shown_place_of(map_centres[slot].xyz + o, -n, n) : kUnlit;
-        bool here = there < kListed && int(there) / (6 * lit_resolution * lit_resolution) == slot;
+        bool here = inverse > 0.0 && is_found_in(slot, map_centres[slot].xyz + o, n);
         float facing = -dot(n, u) * inversesqrt(u2);
-        which[k] = here ? there : kUnlit;
         // Solid angle times squared distance over cosine.
-        area[k] = width * width * inversesqrt(u2) / u2 * dot(o, o) / max(facing, kLeastFacing);
+        area[k] = here ? width * width * inversesqrt(u2) / u2 * dot(o, o) / max(facing, kLeastFacing) : 0.0;
         ++k;
     }
-    found[place] = which;
-    areas[place] = area;
+    vec4 before = parts[place];
+    bool other = before != area;
+    while (other) {
+        uint home = texelFetch(homes, place).r;
+        count_parts(home, before, true);
+        count_parts(home, area, false);
+        parts[place] = area;
+        other = false;
+    }
 }

@@ -47,6 +47,7 @@ vec4 around(int place, vec3 n) {
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
+    if (keys[i] == kNoPoint) return;
     int place = int(keys[i]);
     vec4 sums[4] = vec4[4](texelFetch(kernel_0, place), texelFetch(kernel_1, place), texelFetch(kernel_2, place), texelFetch(kernel_3, place));
     float density = dot(over(sums[3]), photons);  // a square metre

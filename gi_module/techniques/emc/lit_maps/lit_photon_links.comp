@@ -1,22 +1,24 @@
 #version 450 core
 // Which coarse texels of its face a kernel around each reaches: those 1, 2 and 4 away in eight directions to which its surface
-// goes on. A place without a coarse texel remembers nothing.
+// goes on. A place without a coarse texel remembers nothing. Of the listed places, or all of them.
 layout(local_size_x = 256) in;
 
 #include "lit_points.glsl"
 
 layout(std430, binding = 1) buffer Seen { vec4 seen[]; };           // by place: the point that a mean belongs to
 layout(std430, binding = 4) writeonly buffer Links { uint links[]; };  // by place: 8 bits each of 1, 2 and 4 away
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 uniform usamplerBuffer coarse_index;  // by place: number + 1
 uniform samplerBuffer coarse_points;  // by number
 uniform int coarse_resolution;
-uniform int places;
+uniform uint places;  // all of them; 0: those listed
 uniform vec4 map_centres[MAX_MAPS];
 
 void main() {
-    int place = int(work_item());
-    if (place >= places) return;
+    uint i = work_item();
+    if (i >= (places > 0u ? places : listed_count)) return;
+    int place = int(places > 0u ? i : list[i]);
     uint number = texelFetch(coarse_index, place).r;
     if (number == 0u) {
         seen[place] = vec4(uintBitsToFloat(kUnlitPoint));

@@ -27,6 +27,7 @@ void main() {
     uint i = work_item();
     if (i >= point_count) return;
     uint place = keys[i];
+    if (place == kNoPoint) return;
     vec4 point = texelFetch(coarse_points, int(i));
     // What moves on by less than a texel still shows about the same light.
     vec4 was = seen[place];

@@ -17,6 +17,7 @@ uniform int level;               // 1, 2, 3: texels 1, 2, 4 apart
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
+    if (keys[i] == kNoPoint) return;
     int place = int(keys[i]);
     uint reached = texelFetch(links, place).r >> (8 * (level - 1));
     int spacing = 1 << (level - 1);

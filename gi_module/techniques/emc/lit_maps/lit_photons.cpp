@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
@@ -75,7 +76,7 @@ void LitPhotons::build_programs() {
 }
 
 void LitPhotons::resize(const Texels& at) {
-    const int places = at.texels.faces() * at.resolution * at.resolution;
+    const int places = at.texels.faces() * at.lists.resolution() * at.lists.resolution();
     if (places == places_ && at.texels.places() == lit_places_) {
         return;
     }
@@ -85,8 +86,7 @@ void LitPhotons::resize(const Texels& at) {
     const auto lit_places = static_cast<std::size_t>(lit_places_);
     homes_ = gpu::Buffer(lit_places * sizeof(std::uint32_t));
     beside_list_.resize(lit_places);
-    found_ = gpu::Buffer(lit_places * 4 * sizeof(std::uint32_t));
-    part_areas_ = gpu::Buffer(lit_places * sizeof(vec4));
+    parts_ = gpu::Buffer(lit_places * sizeof(vec4));
     areas_ = gpu::Buffer(n * 2 * sizeof(std::uint32_t));
     powers_ = gpu::Buffer(n * 6 * sizeof(std::uint32_t));
     seen_ = gpu::Buffer(n * sizeof(vec4));
@@ -99,62 +99,96 @@ void LitPhotons::resize(const Texels& at) {
     forget();
 }
 
-void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameScene& scene) {
+void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all) {
     build_programs();
     resize(at);
+    if (all) {
+        homes_.clear();
+        areas_.clear();
+    }
     local_length_ = std::max(at.maps.extent(scene), 1e-30f);
-    area_ = square(static_cast<double>(local_length_));
+    const double counted_in = std::exchange(area_, square(static_cast<double>(local_length_)));
+    find_homes(at, settings, scene, all);
+    link(at, settings, scene, all);
+    measure(at, settings, scene);
+    if (!all && area_ != counted_in) {
+        areas_.clear();
+        support_.use();
+        homes_view_.bind(0, homes_, GL_R32UI);
+        parts_view_.bind(1, parts_, GL_RGBA32F);
+        support_.set("homes", 0);
+        support_.set("parts", 1);
+        support_.set("units", static_cast<float>(units(area_)));
+        areas_.bind_storage(5);
+        at.lists.lit().bind_storage(6);
+        at.lists.lit().dispatch();
+        wait_for_shaders();
+    }
+}
+
+void LitPhotons::find_homes(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all) {
     beside_list_.clear();
     for (const bool beside : {false, true}) {
         const gpu::Program& program = beside ? beside_ : homes_program_;
         program.use();
         at.maps.bind(program, 0, 1, settings, scene);
         at.texels.bind(program, lit_points_view_, 2);
-        index_view_.bind(3, at.index, GL_R32UI);
-        points_view_.bind(4, at.coarse.points(), GL_RGBA32F);
+        index_view_.bind(3, at.lists.index(), GL_R32UI);
+        points_view_.bind(4, at.lists.coarse().points(), GL_RGBA32F);
+        parts_view_.bind(5, parts_, GL_RGBA32F);
         program.set("coarse_index", 3);
         program.set("coarse_points", 4);
-        program.set("coarse_resolution", at.resolution);
+        program.set("parts", 5);
+        program.set("coarse_resolution", at.lists.resolution());
+        program.set("units", static_cast<float>(units(area_)));
         homes_.bind_storage(4);
-        const EntryList& list = beside ? beside_list_ : at.lit;
+        areas_.bind_storage(5);
+        const EntryList& list = beside ? beside_list_ : at.lists.around();
         list.bind_storage(6);
         beside_list_.bind_storage(7);
-        list.dispatch();
+        if (!beside) {
+            program.set("blocks", all ? static_cast<unsigned>(at.texels.blocks()) : 0u);
+        }
+        if (all && !beside) {
+            dispatch_items(at.texels.places());
+        } else {
+            list.dispatch();
+        }
         wait_for_shaders();
     }
+}
 
+void LitPhotons::link(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all) {
     links_program_.use();
     at.maps.bind(links_program_, 0, 1, settings, scene);
+    index_view_.bind(3, at.lists.index(), GL_R32UI);
+    points_view_.bind(4, at.lists.coarse().points(), GL_RGBA32F);
     links_program_.set("coarse_index", 3);
     links_program_.set("coarse_points", 4);
-    links_program_.set("coarse_resolution", at.resolution);
-    links_program_.set("places", places_);
+    links_program_.set("coarse_resolution", at.lists.resolution());
+    links_program_.set("places", all ? static_cast<unsigned>(places_) : 0u);
     seen_.bind_storage(1);
     links_.bind_storage(4);
-    dispatch_items(places_);
+    at.lists.reached().bind_storage(6);
+    if (all) {
+        dispatch_items(places_);
+    } else {
+        at.lists.reached().dispatch();
+    }
     wait_for_shaders();
+}
 
+void LitPhotons::measure(const Texels& at, const GiSettings& settings, const FrameScene& scene) {
     areas_program_.use();
     at.maps.bind(areas_program_, 0, 1, settings, scene);
     at.texels.bind(areas_program_, lit_points_view_, 2);
-    found_.bind_storage(4);
-    part_areas_.bind_storage(5);
+    homes_view_.bind(3, homes_, GL_R32UI);
+    areas_program_.set("homes", 3);
+    areas_program_.set("units", static_cast<float>(units(area_)));
+    parts_.bind_storage(4);
+    areas_.bind_storage(5);
     at.texels.looked_at().bind_storage(6);
     at.texels.looked_at().dispatch();
-    wait_for_shaders();
-
-    areas_.clear();
-    support_.use();
-    homes_view_.bind(0, homes_, GL_R32UI);
-    found_view_.bind(1, found_, GL_RGBA32UI);
-    part_areas_view_.bind(2, part_areas_, GL_RGBA32F);
-    support_.set("homes", 0);
-    support_.set("found", 1);
-    support_.set("areas", 2);
-    support_.set("units", static_cast<float>(units(area_)));
-    areas_.bind_storage(5);
-    at.lit.bind_storage(6);
-    at.lit.dispatch();
     wait_for_shaders();
 }
 
@@ -250,9 +284,9 @@ void LitPhotons::add_to_mean(const Texels& at, const GiSettings& settings, const
                              const PhotonMean::Frame& frame) {
     mean_.use();
     at.maps.bind(mean_, 6, 7, settings, scene);
-    mean_.set("coarse_resolution", at.resolution);
+    mean_.set("coarse_resolution", at.lists.resolution());
     mean_.set("reach", kReach);
-    points_view_.bind(0, at.coarse.points(), GL_RGBA32F);
+    points_view_.bind(0, at.lists.coarse().points(), GL_RGBA32F);
     areas_view_.bind(1, areas_, GL_R32UI);
     mean_.set("coarse_points", 0);
     mean_.set("areas", 1);
@@ -261,27 +295,27 @@ void LitPhotons::add_to_mean(const Texels& at, const GiSettings& settings, const
     mean_.set("scale", scale_);
     mean_.set("most_units", static_cast<float>(frame.held));
     mean_.set("times", static_cast<float>(frame.times));
-    at.coarse.bind_storage();
+    at.lists.coarse().bind_storage();
     seen_.bind_storage(1);
     kernels_[0].bind_storage(2);
     age_.bind_storage(4);
     powers_.bind_storage(5);
-    at.coarse.dispatch();
+    at.lists.coarse().dispatch();
     wait_for_shaders();
 }
 
 void LitPhotons::widen(const Texels& at, int photons) {
     widen_.use();
-    at.coarse.bind_storage();
+    at.lists.coarse().bind_storage();
     links_view_.bind(4, links_, GL_R32UI);
     widen_.set("links", 4);
-    widen_.set("coarse_resolution", at.resolution);
+    widen_.set("coarse_resolution", at.lists.resolution());
     for (int level = 1; level < 4; ++level) {
         kernel_views_[level - 1].bind(static_cast<GLuint>(level - 1), kernels_[level - 1], GL_RGBA32F);
         widen_.set("narrower", level - 1);
         widen_.set("level", level);
         kernels_[level].bind_storage(4);
-        at.coarse.dispatch();
+        at.lists.coarse().dispatch();
         wait_for_shaders();
     }
     light_.use();
@@ -295,20 +329,19 @@ void LitPhotons::widen(const Texels& at, int photons) {
     light_.set("photons", vec3(kLuminance * (flux > 0 ? all / flux : 0)));
     light_.set("enough", kEnough);
     light_.set("few", kFew);
-    index_view_.bind(4, at.index, GL_R32UI);
-    points_view_.bind(5, at.coarse.points(), GL_RGBA32F);
+    index_view_.bind(4, at.lists.index(), GL_R32UI);
+    points_view_.bind(5, at.lists.coarse().points(), GL_RGBA32F);
     light_.set("coarse_index", 4);
     light_.set("coarse_points", 5);
-    light_.set("coarse_resolution", at.resolution);
+    light_.set("coarse_resolution", at.lists.resolution());
     irradiance_.bind_storage(4);
-    at.coarse.dispatch();
+    at.lists.coarse().dispatch();
     wait_for_shaders();
 }
 
 std::size_t LitPhotons::bytes() const {
-    std::size_t sum = homes_.bytes() + beside_list_.bytes() + found_.bytes() + part_areas_.bytes() +
-                      areas_.bytes() + powers_.bytes() + seen_.bytes() + age_.bytes() + links_.bytes() +
-                      irradiance_.bytes();
+    std::size_t sum = homes_.bytes() + beside_list_.bytes() + parts_.bytes() + areas_.bytes() +
+                      powers_.bytes() + seen_.bytes() + age_.bytes() + links_.bytes() + irradiance_.bytes();
     for (const gpu::Buffer& kernel : kernels_) {
         sum += kernel.bytes();
     }

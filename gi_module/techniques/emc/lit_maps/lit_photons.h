@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "gi_module/techniques/emc/gather/entry_list.h"
-#include "gi_module/techniques/emc/gather/surface_points.h"
-#include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+#include "gi_module/techniques/emc/lit_maps/lit_lists.h"
 #include "gi_module/techniques/emc/lit_maps/photon_mean.h"
 #include "gi_module/techniques/emc/photons/photon_tracing.h"
 #include "lanthorn/emc/emc_statistics.h"
@@ -26,18 +25,15 @@ class LitPhotons {
     struct Texels {
         const EnvironmentMaps& maps;
         const LitTexels& texels;
-        const EntryList& lit;         // places of lit texels
-        const SurfacePoints& coarse;  // those of E1; keys are their places
-        const gpu::Buffer& index;     // of these, by place: number + 1
-        int resolution;               // of theirs, a side of a face
+        const LitLists& lists;
     };
 
     // No photon is remembered.
     void forget() { in_mean_.forget(); }
     // The maps show other surfaces: which texel counts what, and how large it is. Texels that show what they
-    // showed keep their mean. Cost: four lookups for each lit texel that the last look at the maps looked at
-    // again.
-    void look(const Texels& at, const GiSettings& settings, const FrameScene& scene);
+    // showed keep their mean. After each look at the maps: what did not change then is not looked at, unless
+    // it is to be done for `all`. Cost: four lookups for each lit texel that looked at the maps.
+    void look(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all);
     // A frame more of gi.gather.photons, after 1 to `bounces` reflections each; `endless`: and the light that
     // follows, as if each later bounce kept what the last one did. `changed`: light or surfaces are not those
     // of the frame before; the mean then holds few frames, the fewer the faster lamps move, and none of
@@ -58,6 +54,9 @@ class LitPhotons {
   private:
     void build_programs();
     void resize(const Texels& at);
+    void find_homes(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all);
+    void link(const Texels& at, const GiSettings& settings, const FrameScene& scene, bool all);
+    void measure(const Texels& at, const GiSettings& settings, const FrameScene& scene);
     void follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps);
     void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
                bool endless, bool first);
@@ -69,7 +68,7 @@ class LitPhotons {
     int places_ = 0;
     int lit_places_ = 0;
     PhotonMean in_mean_;
-    double area_ = 1;  // m^2: what the sums of areas are counted in units of
+    double area_ = 0;  // m^2: what the sums of areas are counted in units of
     dvec3 flux_{0};    // lumen, that the lamps send
     vec3 scale_{1};    // that over what they sent in the frame before
     // By how much the lamp that did most has moved in the frame, of EnvironmentMaps::extent(), or turned, in
@@ -80,9 +79,8 @@ class LitPhotons {
     vec3 middle_{0};  // of what shines
     // By place of the lit texel: that of the coarse texel which counts its photons, + 1.
     gpu::Buffer homes_;
-    EntryList beside_list_;   // lit texels whose own coarse texel shows another surface
-    gpu::Buffer found_;       // uvec4: lit texels that photons on its parts find
-    gpu::Buffer part_areas_;  // vec4, m^2: of these parts
+    EntryList beside_list_;  // lit texels whose own coarse texel shows another surface
+    gpu::Buffer parts_;      // vec4, m^2: of its parts, where photons on them find it
     // By place of the coarse texel.
     gpu::Buffer areas_;       // two words
     gpu::Buffer powers_;      // rgb, two words each
@@ -95,7 +93,7 @@ class LitPhotons {
     gpu::Program homes_program_, beside_, areas_program_, support_, splat_, rest_program_, mean_,
         links_program_, widen_, light_;
     gpu::BufferTexture lit_points_view_, index_view_, points_view_, homes_view_, hits_view_, rest_view_,
-        areas_view_, links_view_, found_view_, part_areas_view_;
+        areas_view_, links_view_, parts_view_;
     gpu::BufferTexture kernel_views_[4];
 };
 

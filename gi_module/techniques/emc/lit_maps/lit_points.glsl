@@ -23,6 +23,9 @@ ivec3 texel_of_block(int block, int k) {
     return ivec3(p, block / (side * side));
 }
 
+// The k-th of the listed blocks, or of all where there is no list.
+#define BLOCK_OF(k) int(blocks > 0u ? (k) : list[k])
+
 // Takes the lowest of the bits away and gives its number; there is one.
 int take_first(inout uvec2 bits) {
     bool low = bits.x != 0u;

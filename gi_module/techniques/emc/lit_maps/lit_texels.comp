@@ -5,18 +5,21 @@ layout(local_size_x = 256) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
 #include "lit_square.glsl"
+#include "gi_module/techniques/emc/gather/entry_list.glsl"
 
 // By place.
 layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
 layout(std430, binding = 2) writeonly buffer Albedo { vec4 albedo[]; };
-layout(std430, binding = 3) buffer Changed { uint changed[]; };        // a bit each
+layout(std430, binding = 3) buffer Changed { uint changed[]; };        // a bit each, and one a block from `changed_blocks` on
 layout(std430, binding = 4) buffer Radiosity { vec4 radiosity[]; };    // a < 0: not lit
 layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };  // the same
-layout(std430, binding = 7) buffer Sharper { uint sharper[]; };  // by block, two words: bits of the maps that its texels must ask
+layout(std430, binding = 0) buffer Sharper { uint sharper[]; };  // by block, two words: bits of the maps that its texels must ask
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
 
+uniform uint changed_blocks;   // word of `changed`
+uniform bool list_changed;     // blocks in which something has
 uniform ivec2 reserved_slots;  // of maps that light only what no other shows; -1: none
 
 bool is_reserved(int slot) { return slot == reserved_slots.x || slot == reserved_slots.y; }
@@ -72,16 +75,36 @@ void main() {
     vec4 before = texelFetch(lit_points, place);
     vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));
     uvec4 stood = floatBitsToUint(texelFetch(lit_points, lit_sheets + place));
-    uvec4 stands = sharpest ? sheets_on(p, o, n) : uvec4(0u);
+    uvec4 stands = uvec4(0u);
+    bool looks = sharpest;
+    while (looks) {
+        stands = sheets_on(p, o, n);
+        looks = false;
+    }
     bool same = is_lit(before) == sharpest && (!sharpest || (floatBitsToUint(before) == floatBitsToUint(now) && stood == stands));
     if (!same) atomicOr(changed[place >> 5], 1u << (place & 31));
-    points[place] = now;
-    points[lit_sheets + place] = uintBitsToFloat(stands);
-    if (!sharpest) {
+    bool lists = !same && list_changed;
+    while (lists) {
+        uint bit = 1u << (block & 31u);
+        if ((atomicOr(changed[changed_blocks + (block >> 5)], bit) & bit) == 0u) list_entry(block);
+        lists = false;
+    }
+    // Loops, so that a vector of texels that find what was there writes nothing, and one of texels that are not lit does no more.
+    bool other = floatBitsToUint(before) != floatBitsToUint(now) || stood != stands;
+    while (other) {
+        points[place] = now;
+        points[lit_sheets + place] = uintBitsToFloat(stands);
+        other = false;
+    }
+    bool goes_out = is_lit(before) && !sharpest;
+    while (goes_out) {
         radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);
         first[place] = vec4(0.0, 0.0, 0.0, -1.0);
-        return;
+        goes_out = false;
     }
-    if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
-    albedo[place] = vec4(albedo_of(p, square), 0.0);
+    while (sharpest) {
+        if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
+        albedo[place] = vec4(albedo_of(p, square), 0.0);
+        sharpest = false;
+    }
 }

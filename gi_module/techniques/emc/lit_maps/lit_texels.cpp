@@ -13,6 +13,10 @@ namespace {
 // Of EnvironmentMaps::extent(), that boxes are widened by against rounding.
 constexpr float kTexelMargin = 2e-5f;
 
+std::size_t words_of_bits(int bits) {
+    return (static_cast<std::size_t>(bits) + 31) / 32;
+}
+
 }  // namespace
 
 bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) {
@@ -32,11 +36,12 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     const auto texels = static_cast<std::size_t>(places());
     points_ = gpu::Buffer(2 * texels * sizeof(vec4));
     albedo_ = gpu::Buffer(texels * sizeof(vec4));
-    static_assert(kSkyPlaces % 32 == 0);
-    changed_ = gpu::Buffer(static_cast<std::size_t>(shaded_places()) / 32 *
-                           sizeof(std::uint32_t));  // a face is a multiple of 256 texels
+    static_assert(kSkyPlaces % 32 == 0 && CloseHits::kAllSlots % 32 == 0);  // as a face's texels
+    changed_ = gpu::Buffer((static_cast<std::size_t>(changed_places()) + words_of_bits(blocks())) *
+                           sizeof(std::uint32_t));
     sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
     listed_.resize(static_cast<std::size_t>(blocks()));
+    changed_blocks_.resize(static_cast<std::size_t>(blocks()));
     return true;
 }
 
@@ -48,6 +53,7 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     }
     changed_.clear();
     listed_.clear();
+    changed_blocks_.clear();
     if (all) {
         all_.use();
     }
@@ -68,7 +74,10 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     radiosity.bind_storage(4);
     first.bind_storage(5);
     listed_.bind_storage(6);
-    sharper_.bind_storage(7);
+    sharper_.bind_storage(0);
+    changed_blocks_.bind_storage(7);
+    program_.set("changed_blocks", static_cast<unsigned>(changed_places()));
+    program_.set("list_changed", all ? 0 : 1);
     listed_.dispatch();
     wait_for_shaders();
 }

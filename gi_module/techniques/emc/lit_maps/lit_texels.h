@@ -44,8 +44,12 @@ class LitTexels {
     const gpu::Buffer& albedo() const { return albedo_; }  // vec4: the mean over the texel
     // Blocks that the last look() looked at; dispatched with an invocation a texel.
     const EntryList& looked_at() const { return listed_; }
-    // A bit each: the last look() found something else than the one before.
+    // A bit each: the last look() found something else than the one before. From word changed_places() on
+    // the same of blocks, unless all were looked at.
     const gpu::Buffer& changed() const { return changed_; }
+    int changed_places() const { return shaded_places() / 32; }
+    // The blocks of these bits, dispatched with an invocation each.
+    const EntryList& changed_blocks() const { return changed_blocks_; }
 
   private:
     int resolution_ = 0;
@@ -57,6 +61,7 @@ class LitTexels {
     gpu::Buffer changed_;
     gpu::Buffer sharper_;  // uvec2 by block: bits of the maps that its texels must ask
     EntryList listed_;     // blocks
+    EntryList changed_blocks_;
     gpu::BufferTexture points_view_;
 };
 

@@ -1,6 +1,7 @@
 #version 450 core
 // New coverage area A(v|C) of eq. 1 (Yao et al. 2010), with the shadow test done in the candidates' own 32x32x6 maps.
-// One workgroup sums 64 pixels of one candidate; the partial sums are added in a fixed order afterwards.
+// An invocation sums kPixels pixels of one candidate, kApart apart, as a tree of sums would; the others are added in a fixed order
+// afterwards. No barrier: a software rasteriser pays more for one than for what a pixel does.
 layout(local_size_x = 64) in;
 
 #include "seen_from.glsl"
@@ -11,12 +12,14 @@ layout(std430, binding = 3) writeonly buffer Partial { vec4 partial[]; };  // x:
 uniform int selected_count;
 uniform float reach;  // metres: beyond it areas count less by the square of their distance
 
-shared vec4 sums[64];
+const int kPixels = 8;
+const int kApart = 8;
 
-void main() {
+vec4 added(vec4 a, vec4 b) { return vec4(a.xyz + b.xyz, min(a.w, b.w)); }
+
+// Of a pixel, counted over the six faces.
+vec4 sum_of(int v, int pixel) {
     int pixels = resolution * resolution;
-    int pixel = int(gl_WorkGroupID.x) * 64 + int(gl_LocalInvocationID.x);  // over the six faces
-    int v = viewers[gl_WorkGroupID.y];
     int face = pixel / pixels;
     ivec2 p = ivec2(pixel % resolution, (pixel % pixels) / resolution);
     vec4 plane = texelFetch(candidate_planes, ivec3(p, v * 6 + face), 0);
@@ -46,17 +49,16 @@ void main() {
             }
         }
     }
-    int lane = int(gl_LocalInvocationID.x);
-    sums[lane] = sum;
-    barrier();
-    for (int width = 32; width > 0; width >>= 1) {
-        if (lane < width) {
-            vec4 other = sums[lane + width];
-            sums[lane] = vec4(sums[lane].xyz + other.xyz, min(sums[lane].w, other.w));
-        }
-        barrier();
-    }
-    if (lane == 0) {
-        partial[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sums[0];
-    }
+    return sum;
+}
+
+void main() {
+    int item = int(gl_GlobalInvocationID.x);
+    int v = viewers[gl_WorkGroupID.y];
+    int first = item / kApart * kApart * kPixels + item % kApart;
+    vec4 sums[kPixels];
+    for (int k = 0; k < kPixels; ++k) sums[k] = sum_of(v, first + kApart * k);
+    vec4 even = added(added(sums[0], sums[4]), added(sums[2], sums[6]));
+    vec4 odd = added(added(sums[1], sums[5]), added(sums[3], sums[7]));
+    partial[gl_WorkGroupID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x] = added(even, odd);
 }

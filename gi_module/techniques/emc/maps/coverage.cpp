@@ -1,9 +1,11 @@
 #include "gi_module/techniques/emc/maps/coverage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 #include "gi_module/shared/cube_direction.h"
 
@@ -11,7 +13,12 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kGroups = 6 * kCoverageResolution * kCoverageResolution / 64;  // of a viewer: coverage.comp
+// Of a viewer, each of so many pixels: coverage.comp.
+constexpr int kPixels = 8;
+constexpr int kSums = 6 * kCoverageResolution * kCoverageResolution / kPixels;
+constexpr int kInvocations = 64;  // a work group
+constexpr int kLeaves = 8;        // that are added up as a tree
+static_assert(kSums % kInvocations == 0 && kSums % kLeaves == 0);
 
 void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
     if (buffer.bytes() < numbers.size() * sizeof(int) || !buffer) {
@@ -20,15 +27,30 @@ void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
     buffer.write(0, std::span<const int>(numbers));
 }
 
-// What each viewer's groups have found.
+vec4 added(const vec4& a, const vec4& b) {
+    return {vec3(a) + vec3(b), std::min(a.w, b.w)};
+}
+
+vec4 added_as_a_tree(std::span<const vec4, kLeaves> leaves) {
+    std::array<vec4, kLeaves> sums{};
+    std::ranges::copy(leaves, sums.begin());
+    for (std::size_t width = kLeaves / 2; width > 0; width /= 2) {
+        for (std::size_t i = 0; i < width; ++i) {
+            sums[i] = added(sums[i], sums[i + width]);
+        }
+    }
+    return sums[0];
+}
+
+// What each viewer's invocations have found.
 std::vector<Coverage> added_up(const std::vector<vec4>& sums) {
-    std::vector<Coverage> result(sums.size() / kGroups);
+    std::vector<Coverage> result(sums.size() / kSums);
     for (std::size_t v = 0; v < result.size(); ++v) {
         double backs = 0;
         double hits = 0;
         double nearest = std::numeric_limits<double>::infinity();
-        for (int g = 0; g < kGroups; ++g) {
-            const vec4& s = sums[v * kGroups + static_cast<std::size_t>(g)];
+        for (std::size_t i = v * kSums; i < (v + 1) * kSums; i += kLeaves) {
+            const vec4 s = added_as_a_tree(std::span<const vec4, kLeaves>(&sums[i], kLeaves));
             result[v].area += s.x;
             backs += s.y;
             hits += s.z;
@@ -136,7 +158,7 @@ std::vector<std::vector<bool>> CoverageMeter::sees(const std::vector<int>& viewe
 void CoverageMeter::sum(const std::vector<int>& viewers, const std::vector<int>& selected) {
     write(viewers_, viewers);
     write(selected_, selected);
-    const std::size_t bytes = viewers.size() * kGroups * sizeof(vec4);
+    const std::size_t bytes = viewers.size() * kSums * sizeof(vec4);
     if (partial_.bytes() < bytes) {
         partial_ = gpu::Buffer(bytes);
     }
@@ -146,18 +168,18 @@ void CoverageMeter::sum(const std::vector<int>& viewers, const std::vector<int>&
     viewers_.bind_storage(1);
     selected_.bind_storage(2);
     partial_.bind_storage(3);
-    glDispatchCompute(kGroups, static_cast<GLuint>(viewers.size()), 1);
+    glDispatchCompute(kSums / kInvocations, static_cast<GLuint>(viewers.size()), 1);
 }
 
 std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
                                              const std::vector<int>& selected) {
     sum(viewers, selected);
-    return added_up(partial_.read<vec4>(viewers.size() * kGroups));
+    return added_up(partial_.read<vec4>(viewers.size() * kSums));
 }
 
 void CoverageMeter::ask(const std::vector<int>& viewers, const std::vector<int>& selected) {
     sum(viewers, selected);
-    answers_.begin(partial_, viewers.size() * kGroups * sizeof(vec4), 0);
+    answers_.begin(partial_, viewers.size() * kSums * sizeof(vec4), 0);
 }
 
 std::vector<Coverage> CoverageMeter::take() {
