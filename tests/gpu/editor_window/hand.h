@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -17,9 +18,12 @@ namespace lanthorn::edit_window {
 
 class WindowTest : public testing::Test {
   protected:
-    // Turns of the editor's loop until that holds; false where it never does.
+    // Turns of the editor's loop until that holds; false where it never does: neither in so many turns nor in
+    // so long a time, for other threads measure while a turn without a picture takes a millisecond.
     bool comes(const std::function<bool()>& holds) {
-        for (int turns = 0; turns < 1500; ++turns) {
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point latest = Clock::now() + std::chrono::seconds(20);
+        for (int turns = 0; turns < 1500 || Clock::now() < latest; ++turns) {
             if (holds()) {
                 return true;
             }
