@@ -12,10 +12,6 @@ constexpr int kCoarser = 4;  // lit texels a side of a coarse one
 constexpr int kLeastCoarse = 8;
 static_assert(kCoarser <= LitTexels::kBlock);
 
-std::size_t words_of_bits(int bits) {
-    return (static_cast<std::size_t>(bits) + 31) / 32;
-}
-
 }  // namespace
 
 void LitLists::resize(const LitTexels& texels, int rays) {

@@ -13,10 +13,6 @@ namespace {
 // Of EnvironmentMaps::extent(), that boxes are widened by against rounding.
 constexpr float kTexelMargin = 2e-5f;
 
-std::size_t words_of_bits(int bits) {
-    return (static_cast<std::size_t>(bits) + 31) / 32;
-}
-
 }  // namespace
 
 bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) {

@@ -11,6 +11,11 @@
 
 namespace lanthorn::gi {
 
+// Of 32 bits, that so many bits take.
+inline std::size_t words_of_bits(int bits) {
+    return (static_cast<std::size_t>(bits) + 31) / 32;
+}
+
 class LitTexels {
   public:
     static constexpr int kBlock = 4;  // texels a side that are looked at together
