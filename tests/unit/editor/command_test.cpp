@@ -1,11 +1,15 @@
 // The editor's commands, each on a room.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
+#include "tests/support/repository.h"
 #include "tools/editor/core/command.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/core/edit_world.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/node_value.h"
 
@@ -108,6 +112,30 @@ TEST_F(Commands, ComponentsAndTheExtrasOfOthers) {
     session.run("unset /room/lamp light_sensor");
     EXPECT_FALSE(session.world().has<LightSensor>(e));
     EXPECT_EQ(value("/room/lamp", "extras.other_program.kept"), R"([1,"as",null])");
+}
+
+// Nodes, of the document, that bend each skinned mesh.
+std::map<std::uint32_t, std::vector<std::uint32_t>> joints_of(const EditSession& session) {
+    const ecs::World& world = session.world();
+    std::map<std::uint32_t, std::vector<std::uint32_t>> result;
+    for (const ecs::Entity e : world.query<ecs::With<SkinInstance>>().entities()) {
+        for (const ecs::Entity joint : world.get<SkinInstance>(e).joints) {
+            result[world.get<EditedNode>(e).node].push_back(world.get<EditedNode>(joint).node);
+        }
+    }
+    return result;
+}
+
+TEST_F(Commands, ACopyOfJointsBendsNothingWhereverItStands) {
+    session.open(support::repository_file("assets/puppet.glb"));
+    const auto joints = joints_of(session);
+    ASSERT_EQ(joints.size(), 2u) << "body and cape";
+    session.run("duplicate /puppet/puppet.hips copy");
+    EXPECT_EQ(joints_of(session), joints);
+    session.run("reparent /puppet/copy /floor");  // before the puppet
+    EXPECT_EQ(joints_of(session), joints);
+    session.run("undo 2");
+    EXPECT_EQ(joints_of(session), joints);
 }
 
 TEST_F(Commands, NodesComeAndGo) {

@@ -69,6 +69,7 @@ class EditWorld {
     ecs::Entity spawn_loaded(std::uint32_t loaded, ecs::Entity parent);
     ecs::Entity spawn_node(std::uint32_t node, ecs::Entity parent);
     void spawn_guests();
+    std::vector<ecs::Entity> by_loaded() const;  // kNullEntity: none is left
     void put_skins();
     void put_clips();
     void play_wanted();  // the clip that is asked for, or that the file names

@@ -197,20 +197,28 @@ void EditWorld::spawn_all() {
     put_clips();
 }
 
+// A copy of a node has what that was loaded from, but skins and clips of the file mean the node itself: the
+// one that came first into the document, wherever either stands now.
+std::vector<ecs::Entity> EditWorld::by_loaded() const {
+    const ecs::World& world = app_.world();
+    std::vector<ecs::Entity> result(asset().nodes.size(), ecs::kNullEntity);
+    const auto age = [&](ecs::Entity e) { return std::pair(world.get<EditedNode>(e).node, e.index); };
+    for (const ecs::Entity e : world.query<ecs::With<EditedNode>>().entities()) {
+        const std::uint32_t loaded = world.get<EditedNode>(e).loaded;
+        if (loaded < result.size() && (result[loaded] == ecs::kNullEntity || age(e) < age(result[loaded]))) {
+            result[loaded] = e;
+        }
+    }
+    return result;
+}
+
 void EditWorld::put_skins() {
     const SceneAsset& scene = asset();
     if (scene.skins.empty()) {
         return;
     }
     ecs::World& world = app_.world();
-    std::vector<ecs::Entity> by_loaded(scene.nodes.size(), ecs::kNullEntity);
-    for (const ecs::Entity e : world.query<ecs::With<EditedNode>>().entities()) {
-        const std::uint32_t loaded = world.get<EditedNode>(e).loaded;
-        if (loaded < by_loaded.size() &&
-            (by_loaded[loaded] == ecs::kNullEntity || e.index < by_loaded[loaded].index)) {
-            by_loaded[loaded] = e;
-        }
-    }
+    const std::vector<ecs::Entity> by_loaded = this->by_loaded();
     for (const ecs::Entity e : world.query<ecs::With<EditedNode>>().entities()) {
         const std::uint32_t loaded = world.get<EditedNode>(e).loaded;
         const std::uint32_t skin = loaded < scene.nodes.size() ? scene.nodes[loaded].skin : kNone;
@@ -237,15 +245,8 @@ void EditWorld::put_clips() {
         return;
     }
     ecs::World& world = app_.world();
-    std::vector<ecs::Entity> by_loaded(scene.nodes.size(), ecs::kNullEntity);
     ecs::Entity first = ecs::kNullEntity;
     for (const ecs::Entity e : world.query<ecs::With<EditedNode>>().entities()) {
-        const EditedNode& node = world.get<EditedNode>(e);
-        const bool is_copy = node.loaded < by_loaded.size() && by_loaded[node.loaded] != ecs::kNullEntity &&
-                             by_loaded[node.loaded].index < e.index;
-        if (node.loaded < by_loaded.size() && !is_copy) {
-            by_loaded[node.loaded] = e;
-        }
         const bool is_root = !world.has<Parent>(e);
         if (is_root && (first == ecs::kNullEntity || e.index < first.index)) {
             first = e;
@@ -254,7 +255,7 @@ void EditWorld::put_clips() {
     if (first == ecs::kNullEntity) {
         return;
     }
-    world.add(first, AnimationSet{scene.clips, by_loaded});
+    world.add(first, AnimationSet{scene.clips, by_loaded()});
     play_wanted();
 }
 
