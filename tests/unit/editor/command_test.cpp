@@ -115,7 +115,7 @@ TEST_F(Commands, ComponentsAndTheExtrasOfOthers) {
 }
 
 // Nodes, of the document, that bend each skinned mesh.
-std::map<std::uint32_t, std::vector<std::uint32_t>> joints_of(const EditSession& session) {
+std::map<std::uint32_t, std::vector<std::uint32_t>> joints_of(EditSession& session) {
     const ecs::World& world = session.world();
     std::map<std::uint32_t, std::vector<std::uint32_t>> result;
     for (const ecs::Entity e : world.query<ecs::With<SkinInstance>>().entities()) {
