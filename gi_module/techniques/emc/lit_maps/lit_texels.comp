@@ -5,7 +5,6 @@ layout(local_size_x = 256) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
 #include "lit_square.glsl"
-#include "gi_module/techniques/emc/gather/entry_list.glsl"
 
 // By place.
 layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
@@ -19,7 +18,7 @@ layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint lis
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
 
 uniform uint changed_blocks;   // word of `changed`
-uniform bool list_changed;     // blocks in which something has
+uniform bool mark_changed;     // blocks in which something has
 uniform ivec2 reserved_slots;  // of maps that light only what no other shows; -1: none
 
 bool is_reserved(int slot) { return slot == reserved_slots.x || slot == reserved_slots.y; }
@@ -83,11 +82,10 @@ void main() {
     }
     bool same = is_lit(before) == sharpest && (!sharpest || (floatBitsToUint(before) == floatBitsToUint(now) && stood == stands));
     if (!same) atomicOr(changed[place >> 5], 1u << (place & 31));
-    bool lists = !same && list_changed;
-    while (lists) {
-        uint bit = 1u << (block & 31u);
-        if ((atomicOr(changed[changed_blocks + (block >> 5)], bit) & bit) == 0u) list_entry(block);
-        lists = false;
+    bool marks = !same && mark_changed;
+    while (marks) {
+        atomicOr(changed[changed_blocks + (block >> 5)], 1u << (block & 31u));
+        marks = false;
     }
     // Loops, so that a vector of texels that find what was there writes nothing, and one of texels that are not lit does no more.
     bool other = floatBitsToUint(before) != floatBitsToUint(now) || stood != stands;

@@ -71,10 +71,26 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     first.bind_storage(5);
     listed_.bind_storage(6);
     sharper_.bind_storage(0);
-    changed_blocks_.bind_storage(7);
     program_.set("changed_blocks", static_cast<unsigned>(changed_places()));
-    program_.set("list_changed", all ? 0 : 1);
+    program_.set("mark_changed", all ? 0 : 1);
     listed_.dispatch();
+    wait_for_shaders();
+    if (!all) {
+        list_changed_blocks();
+    }
+}
+
+void LitTexels::list_changed_blocks() {
+    if (!list_blocks_) {
+        list_blocks_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_changed_blocks.comp"});
+    }
+    const std::size_t words = words_of_bits(blocks());
+    list_blocks_.use();
+    list_blocks_.set("first_word", static_cast<unsigned>(changed_places()));
+    list_blocks_.set("words", static_cast<unsigned>(words));
+    changed_.bind_storage(3);
+    changed_blocks_.bind_storage(7);
+    dispatch_items(static_cast<int>(words));
     wait_for_shaders();
 }
 

@@ -57,9 +57,11 @@ class LitTexels {
     const EntryList& changed_blocks() const { return changed_blocks_; }
 
   private:
+    void list_changed_blocks();
+
     int resolution_ = 0;
     int faces_ = 0;
-    gpu::Program program_, all_, recolour_;
+    gpu::Program program_, all_, recolour_, list_blocks_;
     MoverPrograms touched_{{"gi_module/techniques/emc/lit_maps/lit_touched.comp"}, {"ALL 0"}};
     gpu::Buffer points_;
     gpu::Buffer albedo_;
