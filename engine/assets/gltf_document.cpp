@@ -5,8 +5,6 @@
 
 namespace lanthorn {
 
-namespace {}  // namespace
-
 GltfDocument::GltfDocument() : state_(std::make_unique<State>()) {}
 GltfDocument::GltfDocument(const GltfDocument& other) : state_(std::make_unique<State>(*other.state_)) {}
 GltfDocument::GltfDocument(GltfDocument&&) noexcept = default;

@@ -184,7 +184,7 @@ std::size_t GltfDocument::add_material(const Material& m) {
                            fmt::format("found {}, expected an index below {} (the number of textures)",
                                        ref.texture, textures));
         }
-        const Json result = texture_json(ref);
+        Json result = texture_json(ref);
         if (result.contains("extensions")) {
             state_->use_extension("KHR_texture_transform");
         }

@@ -280,7 +280,7 @@ void GltfWriting::place_held_buffers(const std::string& stem) {
 
 std::string GltfWriting::bytes() {
     const bool same = state_.is_glb == (container_ == Container::glb);
-    const std::string text = same ? state_.before + root_.text() + state_.after : root_.text();
+    std::string text = same ? state_.before + root_.text() + state_.after : root_.text();
     if (container_ == Container::gltf) {
         return text;
     }
