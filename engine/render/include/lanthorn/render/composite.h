@@ -40,20 +40,20 @@ class Composite {
                  const CameraUniforms& camera, PixelStage stage = PixelStage::fragment);
     // The radiance is that of a texture of the same size and format.
     void take(const gpu::Texture& radiance);
-    // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
-    // settings say so; radiance() stays as it was.
-    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    // The scattering is timed as [bloom] where there is a timer.
+    // What the picture shows, where something of it has render.rim's fuzz.
     struct Fuzzy {
         const GBuffer& gbuffer;
         const CameraUniforms& camera;
     };
+    // How display() differs from that of a picture by itself.
     struct Shown {
-        const Fuzzy*
-            fuzzy;  // what the picture shows, where something of it has render.rim's fuzz; null: nothing has
-        const Composite*
-            exposed;  // which has been displayed: with its exposure; null: with one that suits this picture
+        const Fuzzy* fuzzy;        // null: nothing has fuzz
+        const Composite* exposed;  // with its exposure: it has been displayed; null: with what suits this one
     };
+    // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
+    // settings say so; radiance() stays as it was.
+    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
+    // The scattering is timed as [bloom] where there is a timer.
     void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr,
                  const Shown& as = {});
 

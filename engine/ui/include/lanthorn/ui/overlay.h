@@ -23,9 +23,9 @@ class Overlay {
     void begin(const std::function<void()>& feed = {});
     // Draws it over what the window shows.
     void end();
-    // The same in two steps: what is to be drawn, which is ImGui's until the next begin(); and drawing some
-    // of it.
+    // The same in two steps. What is to be drawn: ImGui's until the next begin().
     ImDrawData& made();
+    // Draws `some` of it over what the window shows.
     void draw(ImDrawData& some);
 
     // Call when fonts of ImGui's atlas are others: letters are drawn at the size that they are seen at.
