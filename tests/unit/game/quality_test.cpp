@@ -15,7 +15,7 @@ render::RenderSettings drawn_with(const Options& options) {
     return render::render_settings(Quality(options, 1).settings());
 }
 
-TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesDarkNightsAndAirToSee) {
+TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithAnEyesWaysAndAirToSee) {
     for (const std::string_view preset : kPresetNames) {
         Options options;
         options.preset = preset;
@@ -28,6 +28,8 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesDarkNightsAndAi
         rendered.set_from_text("render.upscale=temporal");
         rendered.set("render.exposure.darkest", 0.1f);
         rendered.set("render.bloom.share", 0.1f);
+        rendered.set("render.rim", 0.2f);
+        rendered.set("render.shoulder", 0.5f);
         rendered.set("render.air.scattering", preset == "low" ? 0.0f : 0.0012f);
         EXPECT_EQ(Quality(options, 1).settings().to_json(), rendered.to_json()) << preset;
     }
