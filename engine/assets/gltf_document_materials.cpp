@@ -46,7 +46,7 @@ struct Emission {
 Emission split(const vec3& emissive, double known_strength) {
     const float brightest = std::max({emissive.x, emissive.y, emissive.z, 1.0f});
     for (const float strength : {static_cast<float>(known_strength), brightest}) {
-        const Emission emission{plain_numbers(emissive / strength), strength};
+        Emission emission{plain_numbers(emissive / strength), strength};
         if (strength >= brightest && product(emission.factor, plain_number(strength)) == emissive) {
             return emission;
         }
