@@ -45,9 +45,10 @@ std::vector<Entity> before_her(const physics::Physics& physics, Entity player, c
 
 // Whether one of the thing's meshes in `scene` is too large to fade.
 bool is_large(const FrameScene& scene, Entity e) {
-    const auto some = std::ranges::equal_range(scene.instances, e.index, {}, &Instance::id);
-    return std::ranges::any_of(
-        some, [](const Instance& instance) { return instance.bounds.diagonal() > kLargest; });
+    const auto first = std::ranges::lower_bound(scene.instances, e.index, {}, &Instance::id);
+    const auto last = std::ranges::upper_bound(scene.instances, e.index, {}, &Instance::id);
+    return std::any_of(first, last,
+                       [](const Instance& instance) { return instance.bounds.diagonal() > kLargest; });
 }
 
 }  // namespace

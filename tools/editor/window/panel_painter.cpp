@@ -132,7 +132,7 @@ std::vector<Box> PanelPainter::paint(ImDrawData& made, std::span<const Ground> g
         const float place[] = {box.x, box.y, box.width, box.height};
         of_grounds = mixed(mixed(of_grounds, hash_of(place, 4)), ground);
     }
-    const std::vector<Box> parts = differing(now, of_grounds, size);
+    std::vector<Box> parts = differing(now, of_grounds, size);
     std::vector<std::vector<ImVec4>> clips;
     for (const ImDrawList* list : lists) {
         std::vector<ImVec4>& of_list = clips.emplace_back();
