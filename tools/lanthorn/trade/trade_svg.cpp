@@ -381,14 +381,16 @@ std::string trade_svg(const std::vector<TradeResult>& results, const TradeContex
         for (std::size_t a = 0; a < axes; ++a, ++count) {
             const TradeAxis& axis = trade_axes()[a];
             const Chart chart(results, scene, measure, axis, marks, kPanel);
+            const std::size_t row = count / 2;
             panels += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
                                   kPanel.width * static_cast<double>(count % 2),
-                                  kPanel.height * static_cast<double>(count / 2),
+                                  kPanel.height * static_cast<double>(row),
                                   chart.draw(a == 0 ? scene_name(results, scene) : "", axis.name));
             std::ranges::copy(chart.shown(), std::back_inserter(shown));
         }
     }
-    double top = kPanel.height * static_cast<double>((count + 1) / 2) + 14;
+    const std::size_t rows = (count + 1) / 2;
+    double top = kPanel.height * static_cast<double>(rows) + 14;
     std::string foot = legend_in_rows(marks.legend(shown), width, top);
     std::vector<std::string> lines = {fmt::format("{}: {}", measure.name, measure.about)};
     for (std::size_t a = 0; a < axes; ++a) {
