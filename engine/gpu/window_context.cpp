@@ -50,6 +50,7 @@ WindowContext::~WindowContext() {
 void WindowContext::bind() {
     glfwMakeContextCurrent(window_);
 }
+
 // By names alone: GLX is not there on every system.
 void WindowContext::find_parts() {
     if (glfwExtensionSupported("GLX_MESA_copy_sub_buffer") == GLFW_FALSE) {

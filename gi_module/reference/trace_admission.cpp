@@ -53,16 +53,17 @@ void TraceScene::remove(const Shape& shape, const TraceInstance& instance) {
         rtcDetachGeometry(scene_, shape.geometry);
         unused_.push_back(shape.geometry);
     }
-    unused_triangles_.give(instance.first_triangle, instance.triangle_places);
+    places_.give_back(instance.first_triangle, instance.triangle_places);
 }
 
 std::uint32_t TraceScene::place_for(std::uint32_t count) {
-    if (const std::optional<std::uint32_t> unused = unused_triangles_.take(count)) {
-        return *unused;
+    std::optional<std::size_t> first = places_.take(count);
+    if (!first) {
+        triangles_.resize(triangles_.size() + count);
+        places_.grow(triangles_.size());
+        first = places_.take(count);
     }
-    const auto first = static_cast<std::uint32_t>(triangles_.size());
-    triangles_.resize(triangles_.size() + count);
-    return first;
+    return static_cast<std::uint32_t>(*first);
 }
 
 }  // namespace lanthorn::reference

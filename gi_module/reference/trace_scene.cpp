@@ -230,7 +230,7 @@ void TraceScene::build(std::size_t index, const MaterialTable& materials,
     placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
     placed.normals.resize(mesh.vertices.size());
     if (count > placed.triangle_places) {
-        unused_triangles_.give(placed.first_triangle, placed.triangle_places);
+        places_.give_back(placed.first_triangle, placed.triangle_places);
         placed.triangle_places = static_cast<std::uint32_t>(count);
         placed.first_triangle = place_for(placed.triangle_places);
     }

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "gi_module/reference/free_ranges.h"
 #include "gi_module/reference/reduced_shape.h"
+#include "lanthorn/core/range_allocator.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
@@ -177,8 +177,8 @@ class TraceScene {
     std::vector<TraceTriangle> triangles_;
     std::vector<std::uint32_t> instance_of_;  // by Embree's number
     std::vector<std::uint32_t> unused_;       // of those numbers
-    FreeRanges unused_triangles_;
-    bool admitted_ = false;  // instances have come or gone since the last follow()
+    RangeAllocator places_;                   // in triangles_
+    bool admitted_ = false;                   // instances have come or gone since the last follow()
     bool has_blended_ = false;
     RayLog* log_ = nullptr;
 };

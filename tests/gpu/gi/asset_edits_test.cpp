@@ -4,7 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "lanthorn/render/range_allocator.h"
 #include "lanthorn/render/scene_structs.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
@@ -285,25 +284,6 @@ TEST(AssetEdits, ACageThatIsRefinedFurtherUploadsItself) {
         gpu_scene.update(scene);
         EXPECT_EQ(gpu_scene.uploaded().geometry, vertices * kVertexBytes + 3 * sizeof(std::uint32_t));
     }
-}
-
-TEST(RangeAllocator, GivesOutTakesBackAndJoins) {
-    render::RangeAllocator places;
-    EXPECT_FALSE(places.take(1));
-    EXPECT_EQ(places.take(0), 0u);
-    places.grow(10);
-    EXPECT_EQ(places.take(4), 0u);
-    EXPECT_EQ(places.take(4), 4u);
-    EXPECT_FALSE(places.take(3));
-    places.give_back(0, 4);
-    EXPECT_EQ(places.free(), 6u);
-    EXPECT_FALSE(places.take(5)) << "in two pieces";
-    places.give_back(4, 4);
-    EXPECT_EQ(places.take(10), 0u);
-    places.grow(12);
-    EXPECT_EQ(places.take(2), 10u);
-    EXPECT_EQ(places.free(), 0u);
-    EXPECT_EQ(places.capacity(), 12u);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "lanthorn/core/range_allocator.h"
 #include "lanthorn/gpu/buffer.h"
-#include "lanthorn/render/range_allocator.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "lanthorn/scene/instance_shape.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-namespace lanthorn::render {
+namespace lanthorn {
 
 class RangeAllocator {
   public:
@@ -26,4 +26,4 @@ class RangeAllocator {
     std::size_t free_ = 0;
 };
 
-}  // namespace lanthorn::render
+}  // namespace lanthorn

@@ -1,9 +1,9 @@
-#include "lanthorn/render/range_allocator.h"
+#include "lanthorn/core/range_allocator.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace lanthorn::render {
+namespace lanthorn {
 
 std::optional<std::size_t> RangeAllocator::take(std::size_t count) {
     if (count == 0) {
@@ -50,4 +50,4 @@ void RangeAllocator::grow(std::size_t capacity) {
     }
 }
 
-}  // namespace lanthorn::render
+}  // namespace lanthorn
