@@ -6,9 +6,9 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace crowd_parts {
 
-constexpr int kRows = 10;
+constexpr int kFiguresARow = 10;
 constexpr double kApart = 2.4, kHalf = 13, kHeight = 5;  // metres
 
 void hall(Builder& b) {
@@ -25,18 +25,19 @@ void hall(Builder& b) {
                 kWallThickness, kBoxCollider);
 }
 
-}  // namespace
+}  // namespace crowd_parts
 
 SceneData crowd() {
+    using namespace crowd_parts;
     Builder b;
     hall(b);
     AnimationClip walk;
     walk.name = "walk";
     const PuppetMeshes meshes = add_puppet_meshes(b);
-    for (int i = 0; i < kRows * kRows; ++i) {
+    for (int i = 0; i < kFiguresARow * kFiguresARow; ++i) {
         PuppetWalk round;
-        round.centre = {kApart * (i % kRows - 0.5 * (kRows - 1)), 0,
-                        kApart * (i / kRows - 0.5 * (kRows - 1))};
+        round.centre = {kApart * (i % kFiguresARow - 0.5 * (kFiguresARow - 1)), 0,
+                        kApart * (i / kFiguresARow - 0.5 * (kFiguresARow - 1))};
         round.radius = 0.75;
         round.angle = 2.4 * i;  // about the golden angle: no two neighbours walk alike
         round.seconds = 6;

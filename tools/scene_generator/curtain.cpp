@@ -12,7 +12,7 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-constexpr int kRows = 12;
+constexpr int kClothRows = 12;
 constexpr int kColumnsAFold = 4;
 constexpr double kFold = 0.15, kDeep = 0.05;  // metres
 
@@ -29,7 +29,7 @@ void add_curtain(Builder& b, const std::string& name, std::uint32_t material, co
     const int columns = kColumnsAFold * static_cast<int>(std::lround(width / kFold)) + 1;
     const auto point = [&](int column, int row) {
         const double folds = static_cast<double>(column) / kColumnsAFold;
-        return dvec3(width * column / (columns - 1), -height * row / (kRows - 1),
+        return dvec3(width * column / (columns - 1), -height * row / (kClothRows - 1),
                      kDeep * std::sin(2 * std::numbers::pi * folds));
     };
     Transform placed = at(rail);
@@ -37,7 +37,7 @@ void add_curtain(Builder& b, const std::string& name, std::uint32_t material, co
     const std::uint32_t node = b.node(name, placed);
     Skin skin;
     skin.name = name;
-    for (int row = 0; row < kRows; ++row) {
+    for (int row = 0; row < kClothRows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const dvec3 place = point(column, row);
             skin.joints.push_back(b.node(fmt::format("{}.{}.{}", name, row, column), at(place), node));
@@ -51,7 +51,7 @@ void add_curtain(Builder& b, const std::string& name, std::uint32_t material, co
     mesh.material = material;
     mesh.cage = SubdivisionCage{};
     mesh.cage->level = 2;
-    for (int row = 0; row + 1 < kRows; ++row) {
+    for (int row = 0; row + 1 < kClothRows; ++row) {
         for (int column = 0; column + 1 < columns; ++column) {
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             const dvec3 across = point(column + 1, row + 1) - point(column, row);
@@ -79,7 +79,7 @@ void add_curtain(Builder& b, const std::string& name, std::uint32_t material, co
     b.scene.nodes[node].meshes = {static_cast<std::uint32_t>(b.scene.meshes.size() - 1)};
     b.scene.nodes[node].skin = static_cast<std::uint32_t>(b.scene.skins.size() - 1);
     b.scene.nodes[node].extras = fmt::format(R"({{"cloth":{{"columns":{},"rows":{},"low":{},"high":{}}}}})",
-                                             columns, kRows, low, high);
+                                             columns, kClothRows, low, high);
 }
 
 }  // namespace lanthorn::scene_generator

@@ -8,7 +8,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace dimpled_parts {
 
 constexpr double kHalf = 0.42, kThick = 0.06;  // of the block, metres
 constexpr int kCells = 99;                     // to a side, two triangles each
@@ -97,11 +97,12 @@ Mesh block(std::uint32_t material) {
     return mesh;
 }
 
-}  // namespace
+}  // namespace dimpled_parts
 
 // After Yao et al. 2010, Fig. 1 (b): a dimpled surface that throws a net of caustics; here a block of glass
 // on four posts above a diffuse floor, 21 k triangles.
 SceneData dimpled() {
+    using namespace dimpled_parts;
     Builder b;
     constexpr double kRoom = 1.1, kHeight = 1.8, kAbove = 0.3;
     const std::uint32_t floor = b.matte("floor", {0.7f, 0.66f, 0.6f}, 0);

@@ -8,7 +8,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace dragon_sized_parts {
 
 constexpr int kAlong = 2'007, kAround = 217;  // quadrilaterals
 constexpr int kScalesAlong = 120, kScalesAround = 12;
@@ -56,9 +56,10 @@ Shape knot() {
     return shape;
 }
 
-}  // namespace
+}  // namespace dragon_sized_parts
 
 SceneData dragon_sized() {
+    using namespace dragon_sized_parts;
     Builder b;
     const std::uint32_t white = b.matte("white", vec3(0.7f), 0);
     const std::uint32_t red = b.matte("red", {0.6f, 0.08f, 0.06f}, 0);

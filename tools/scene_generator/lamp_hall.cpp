@@ -11,7 +11,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace lamp_hall_parts {
 
 constexpr double kHalf = 20, kHeight = 7;  // metres
 constexpr double kAllCandela = 20'000;     // of all lamps
@@ -40,9 +40,10 @@ void add_hall(Builder& b) {
     }
 }
 
-}  // namespace
+}  // namespace lamp_hall_parts
 
 SceneData lamp_hall(int count, LampKind kind) {
+    using namespace lamp_hall_parts;
     Builder b;
     add_hall(b);
     const int side = static_cast<int>(std::ceil(std::sqrt(count)));

@@ -6,7 +6,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace lantern_room_parts {
 
 // Bricks of 16 x 8 texels with a mortar joint of one, each with its own shade; 64 texels are one metre.
 Image brick_image() {
@@ -133,9 +133,10 @@ void player(Builder& b) {
     b.scene.nodes[eyes].extras = R"({"eyes":{}})";
 }
 
-}  // namespace
+}  // namespace lantern_room_parts
 
 SceneData lantern_room() {
+    using namespace lantern_room_parts;
     Builder b;
     shell(b, bricks(b));
     const std::uint32_t wood = b.matte("wood", {0.4f, 0.25f, 0.13f});
@@ -157,6 +158,7 @@ SceneData lantern_room() {
 }
 
 SceneData lantern_room_open() {
+    using namespace lantern_room_parts;
     SceneData scene = lantern_room();
     const auto door = std::ranges::find(scene.nodes, "door", &NodeData::name);
     door->local.rotation = quat(about_y(kOpenAngle));

@@ -12,7 +12,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_burning_glass_parts {
 
 constexpr dvec3 kHalf{3.8, 3.3, 3.0};
 // The lamp, the lens where it is pushed to, and the mirror stand in a row, `kBeam` above the floor.
@@ -120,9 +120,10 @@ void furniture(Builder& b, const Finishes& f) {
     add_fern(b, plant, "fern-east", {3.3, 0, -2.5}, 1.1, 2.9);
 }
 
-}  // namespace
+}  // namespace level_burning_glass_parts
 
 SceneData level_burning_glass() {
+    using namespace level_burning_glass_parts;
     Builder b;
     const Finishes f = finishes(b, {0.38f, 0.36f, 0.34f});
     shell(b, f);

@@ -5,7 +5,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_green_screen_parts {
 
 constexpr dvec3 kHalf{3.6, 3.2, 2.9};
 constexpr double kRail = 1.3;  // X of the screen's rail
@@ -61,9 +61,10 @@ void screen(Builder& b, const Finishes& f) {
     }
 }
 
-}  // namespace
+}  // namespace level_green_screen_parts
 
 SceneData level_green_screen() {
+    using namespace level_green_screen_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

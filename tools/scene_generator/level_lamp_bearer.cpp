@@ -7,7 +7,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_lamp_bearer_parts {
 
 constexpr dvec3 kHalf{2.8, 3.0, 3.1};
 // A tongue of stone comes out of the back wall, with a hook to the west at its end: behind it is the red bay.
@@ -47,9 +47,10 @@ void furniture(Builder& b, const Finishes& f) {
     add_fern(b, plant, "fern-tip", {2.3, 0, 0.2}, 1.0, 2.2);
 }
 
-}  // namespace
+}  // namespace level_lamp_bearer_parts
 
 SceneData level_lamp_bearer() {
+    using namespace level_lamp_bearer_parts;
     Builder b;
     const Finishes f = finishes(b, {0.42f, 0.39f, 0.35f});
     shell(b, f);

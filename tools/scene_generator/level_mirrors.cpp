@@ -9,7 +9,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_mirrors_parts {
 
 constexpr dvec3 kHalf{3.6, 3.3, 3.0};
 // The room is an L: its corner of -X and -Z, up to here, is solid.
@@ -100,9 +100,10 @@ void furniture(Builder& b, const Finishes& f) {
     add_fern(b, plant, "fern-alcove", {3.2, 0, -2.6}, 1.1, 4.0);
 }
 
-}  // namespace
+}  // namespace level_mirrors_parts
 
 SceneData level_mirrors() {
+    using namespace level_mirrors_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

@@ -8,7 +8,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_other_light_parts {
 
 constexpr dvec3 kHalf{3.6, 3.2, 3.0};
 constexpr double kRow = -1.0;              // Z of the beacon, the window's middle and the mirror
@@ -73,9 +73,10 @@ void furniture(Builder& b, const Finishes& f) {
     add_fern(b, plant, "fern-east", {3.2, 0, -2.55}, 1.1, 0.8);
 }
 
-}  // namespace
+}  // namespace level_other_light_parts
 
 SceneData level_other_light() {
+    using namespace level_other_light_parts;
     Builder b;
     const Finishes f = finishes(b, {0.4f, 0.37f, 0.33f});
     shell(b, f);

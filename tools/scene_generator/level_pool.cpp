@@ -10,7 +10,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_pool_parts {
 
 constexpr dvec3 kHalf{3.7, 3.3, 3.0};
 constexpr dvec3 kLamp{-3.3, 1.75, 0};
@@ -123,9 +123,10 @@ void pane(Builder& b, const Finishes& f, const std::string& name, double x, doub
     }
 }
 
-}  // namespace
+}  // namespace level_pool_parts
 
 SceneData level_pool() {
+    using namespace level_pool_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

@@ -5,7 +5,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_red_wall_parts {
 
 constexpr dvec3 kHalf{3.6, 3.1, 2.8};
 
@@ -52,9 +52,10 @@ void furniture(Builder& b, const Finishes& f) {
     add_carpet(b, "carpet", {-3.0, 0, -1.4}, {-1.0, 0.012, 0.6}, kBlueCarpet);
 }
 
-}  // namespace
+}  // namespace level_red_wall_parts
 
 SceneData level_red_wall() {
+    using namespace level_red_wall_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

@@ -6,7 +6,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_shutter_parts {
 
 constexpr dvec3 kHalf{3.2, 3.2, 2.8};
 
@@ -32,9 +32,10 @@ void shutter(Builder& b, const Finishes& f) {
     b.solid("shutter-rail", box({-kHalf.x + 0.001, 2.71, -0.8}, {-kHalf.x + 0.06, 2.76, 2.3}), f.iron);
 }
 
-}  // namespace
+}  // namespace level_shutter_parts
 
 SceneData level_shutter() {
+    using namespace level_shutter_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

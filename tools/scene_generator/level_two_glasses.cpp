@@ -5,7 +5,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace level_two_glasses_parts {
 
 constexpr dvec3 kHalf{3.4, 3.7, 3.0};
 constexpr double kPier = 2.1;  // metres high, well above a lantern in a hand
@@ -41,9 +41,10 @@ void crystals(Builder& b, const Finishes& f) {
                 R"("lux":0.25,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
 }
 
-}  // namespace
+}  // namespace level_two_glasses_parts
 
 SceneData level_two_glasses() {
+    using namespace level_two_glasses_parts;
     Builder b;
     const Finishes f = finishes(b);
     shell(b, f);

@@ -7,7 +7,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace living_room_parts {
 
 // Boards of ten widths, each of its own tone, with grain along them.
 dvec3 boards(double x, double y) {
@@ -178,11 +178,12 @@ void sideboard(Builder& b, const dvec3& p) {
           top + dvec3(0.1, 0.101, 0));
 }
 
-}  // namespace
+}  // namespace living_room_parts
 
 // After Yao et al. 2010, Fig. 1 (c): a living room with glossy, metal and glass things, and some caustics
 // under the ball.
 SceneData living_room() {
+    using namespace living_room_parts;
     Builder b;
     constexpr double kX = 2.6, kZ = 2.2, kHeight = 2.6;
     const std::uint32_t floor = b.matte("floorboards", vec3(1));

@@ -10,7 +10,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace many_triangles_parts {
 
 constexpr double kHalf = 10;  // m, of the ground
 
@@ -51,9 +51,10 @@ void add_lamp_and_camera(Builder& b) {
     b.camera("camera", looking({0, 2.2, 9}, {0, 0, 0}), 0.8f, 0.02f);
 }
 
-}  // namespace
+}  // namespace many_triangles_parts
 
 SceneData wavy_ground(int triangles) {
+    using namespace many_triangles_parts;
     Builder b;
     const std::uint32_t clay = b.matte("clay", {0.65f, 0.5f, 0.4f}, 0);
     const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(triangles / 2.0))));
@@ -63,6 +64,7 @@ SceneData wavy_ground(int triangles) {
 }
 
 SceneData many_stones(int count) {
+    using namespace many_triangles_parts;
     Builder b;
     const std::uint32_t clay = b.matte("clay", {0.65f, 0.5f, 0.4f}, 0);
     const std::uint32_t grey = b.matte("stone", vec3(0.5f), 0);

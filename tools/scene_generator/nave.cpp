@@ -8,7 +8,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace nave_parts {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kBays = 8;                                    // between nine pairs of columns
@@ -136,9 +136,10 @@ void censer(Builder& b) {
     b.scene.animations.push_back(std::move(swing));
 }
 
-}  // namespace
+}  // namespace nave_parts
 
 SceneData nave() {
+    using namespace nave_parts;
     Builder b;
     shell(b);
     columns_and_arches(b);

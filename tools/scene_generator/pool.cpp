@@ -7,7 +7,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace pool_parts {
 
 constexpr double kBasin = 3, kHall = 4.5, kHeight = 4;  // half sides and height inside, metres
 constexpr double kDepth = 1.2, kLevel = -0.25;          // of the basin, of the water's surface
@@ -57,9 +57,10 @@ void hall(Builder& b) {
     bank("bank-front", {-kOuter, 0, kBasin}, {kOuter, 0, kOuter});
 }
 
-}  // namespace
+}  // namespace pool_parts
 
 SceneData pool() {
+    using namespace pool_parts;
     Builder b;
     hall(b);
     // A sheet: what is below it, down to the tiles, is water.

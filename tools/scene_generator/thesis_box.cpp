@@ -8,7 +8,7 @@
 
 namespace lanthorn::scene_generator {
 
-namespace {
+namespace thesis_box_parts {
 
 constexpr double kHalf = 2;  // metres
 constexpr double kSeconds = 8, kCircle = 1;
@@ -92,21 +92,25 @@ SceneData thesis_box(int side) {
     return b.scene;
 }
 
-}  // namespace
+}  // namespace thesis_box_parts
 
 SceneData thesis_box_16() {
+    using namespace thesis_box_parts;
     return thesis_box(1);
 }
 
 SceneData thesis_box_64() {
+    using namespace thesis_box_parts;
     return thesis_box(2);
 }
 
 SceneData thesis_box_256() {
+    using namespace thesis_box_parts;
     return thesis_box(4);
 }
 
 SceneData thesis_box_1024() {
+    using namespace thesis_box_parts;
     return thesis_box(8);
 }
 
