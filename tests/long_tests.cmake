@@ -7,8 +7,10 @@
 # Every level's tour: red-wall's stays, and the recordings of all.
 # And a start without anything in the caches of OpenGL: it compiles for as long as it is meant to spare.
 set(LANTHORN_LONG_gpu_game_tour Tour.SolvesEveryLevelAndShowsThem Prepare.SaysAndKeepsWhichLevelIsPrepared)
-# Three scenes of five: cornell, two-rooms and clutter stay, by both final stages.
-set(LANTHORN_LONG_gpu_headlines Scenes/Headlines.*_dark Scenes/Headlines.*_lantern_room Scenes/Headlines.*_nave)
+# Three scenes of five: clutter stays by both final stages, cornell by splats and two-rooms by gathering.
+set(LANTHORN_LONG_gpu_headlines
+    Scenes/Headlines.*_dark Scenes/Headlines.*_lantern_room Scenes/Headlines.*_nave Scenes/Headlines.*splat_two_rooms
+    Scenes/Headlines.*gather_cornell)
 # Each stays with one final stage; this is the other.
 set(LANTHORN_LONG_gpu_gather_hardships
     FinalStages/Hardships.AHundredLampsLightARoom/gather FinalStages/Hardships.ALampSwitchedOnAfterABlackMinuteIsRightAtOnce/splat
@@ -36,8 +38,8 @@ set(LANTHORN_LONG_gpu_upscaled
 set(LANTHORN_LONG_gpu_editor
     Levels/Pictures.*/Level1 Levels/Pictures.*/Level2 Levels/Pictures.*/Level3 Levels/Pictures.*/Level4 Levels/Pictures.*/Level6
     Levels/Pictures.*/Level7 Levels/Pictures.*/Level8)
-# Two views as one, by the other techniques in the second scene.
-set(LANTHORN_LONG_gpu_views Techniques/ViewsAlike.ShowWhatOneShows/2 Techniques/ViewsAlike.ShowWhatOneShows/4)
+# A room that drives: one world around it stays, and a camera that is left behind.
+set(LANTHORN_LONG_gpu_maps_keep_up Worlds/DrivingRoom.*/in_0_m_at_a_walk Worlds/DrivingRoom.*/in_0_m_at_a_run Worlds/DrivingRoom.*/in_3000_*)
 # Sizes between others that stay, and by the other final stage; extremes.shipped has all of them by the default.
 set(LANTHORN_LONG_extremes_gi
     Gi/Extremes.Holds/a_million_photons Gi/Extremes.Holds/k___32__* Gi/Extremes.Holds/a_block_inside_out

@@ -25,19 +25,23 @@ class Pictures : public testing::Test {
     static void SetUpTestSuite() {
         made = std::make_unique<testing_tools::TemporaryFolder>();
         replay::Recording recording =
-            replay::read_recording(support::repository_file("tests/replay/red-wall.rec"));
+            replay::read_recording(support::repository_file("tests/replay/open-the-door.rec"));
         recording.annotations = {};
         recording.annotations.marks = {{40, "begin", "", "", ""}};
         recording.steps.resize(60);
         replay::write_recording(made->path("a.rec"), recording);
-        const Outcome accepted =
-            run_program(LANTHORN_BINARY,
-                        {"replay", "accept", "a.rec:begin", "--suite", made->path(), "--reason", "first",
-                         "--size", "96x64", "--preset", "low", "--frames", "4", "--today", "2026-11-26"});
-        ASSERT_EQ(accepted.code, 0) << accepted.err;
+        accept(made->path(), {"--size", "96x64", "--picture-alone"});
     }
     static void TearDownTestSuite() { made.reset(); }
 
+    static void accept(const std::string& suite, const std::vector<std::string>& options) {
+        std::vector<std::string> arguments = {"replay",   "accept",  "a.rec:begin", "--suite", suite,
+                                              "--reason", "first",   "--preset",    "low",     "--frames",
+                                              "4",        "--today", "2026-11-26"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome accepted = run_program(LANTHORN_BINARY, arguments);
+        ASSERT_EQ(accepted.code, 0) << accepted.err;
+    }
     Pictures() { fs::copy(made->path(), folder.path("r"), fs::copy_options::recursive); }
     std::string recording() const { return folder.path("r/a.rec"); }
     std::string baseline(const char* ending) const { return folder.path("r/pictures/a/begin") + ending; }
@@ -114,6 +118,7 @@ TEST_F(Pictures, AllowTheNoiseOfOtherSeeds) {
 }
 
 TEST_F(Pictures, LightIsTheSameAndWorseWithoutBounces) {
+    accept(folder.path("r"), {"--size", "48x32"});
     const Outcome same = verify({"--light"});
     EXPECT_EQ(same.code, 0) << same.out;
     EXPECT_NE(same.out.find("light        ok    1 marks; 'begin' same: relRMSE"), std::string::npos)

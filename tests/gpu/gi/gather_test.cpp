@@ -156,21 +156,20 @@ constexpr double kAtOnce = 0.006;
 // cornell and a room with a block: relRMSE 0.0027 and 0.0002.
 TEST(Gather, RaysAskAllMapsInTurnOrAtOnce) {
     ecs::World world;
-    for (const FrameScene& scene : {cornell_box(world), room_with_block()}) {
-        const auto picture = [&](LastRound last) {
-            Bench bench;
-            bench.settings = gather_settings();
-            bench.settings.edit<EmcSettings>().rays = EmcRays::maps;
-            bench.settings.edit<EmcSettings>().last_round = last;
-            return still_picture(bench, scene, 4, kSize);
-        };
-        const ImageF at_once = picture(LastRound::at_once);
-        const ImageF in_turn = picture(LastRound::in_turn);
-        const Deviation d = against(at_once, in_turn.pixels);
-        std::printf("at once beside in turn: relRMSE %.5f, mean %.5f\n", d.rel_rmse, d.mean);
-        EXPECT_LT(d.rel_rmse, kAtOnce);
-        EXPECT_NEAR(d.mean, 1, 0.002);
-    }
+    const FrameScene scene = cornell_box(world);
+    const auto picture = [&](LastRound last) {
+        Bench bench;
+        bench.settings = gather_settings();
+        bench.settings.edit<EmcSettings>().rays = EmcRays::maps;
+        bench.settings.edit<EmcSettings>().last_round = last;
+        return still_picture(bench, scene, 4, kSize);
+    };
+    const ImageF at_once = picture(LastRound::at_once);
+    const ImageF in_turn = picture(LastRound::in_turn);
+    const Deviation d = against(at_once, in_turn.pixels);
+    std::printf("at once beside in turn: relRMSE %.5f, mean %.5f\n", d.rel_rmse, d.mean);
+    EXPECT_LT(d.rel_rmse, kAtOnce);
+    EXPECT_NEAR(d.mean, 1, 0.002);
 }
 
 // Measured: cornell 0.319 and 0.207; room 0.202 and 0.116 with one bounce, less with more.
@@ -186,7 +185,6 @@ TEST(Gather, ShowsWhatThePathTracerFinds) {
         double first, last;  // relRMSE of 1 frame and of all that are remembered
     };
     for (const Case& c : {Case{"cornell", cornell, 2, kCornellFirst, kCornellLast},
-                          Case{"room", room_with_block(), 1, kRoomFirst, kRoomLast},
                           Case{"room", room_with_block(), 4, kRoomFirst, kRoomLast}}) {
         const std::vector<float> truth = path_traced(c.scene, kSize, c.bounces);
         for (const int frames : {1, kAllFrames}) {
@@ -349,13 +347,18 @@ TEST(Gather, LightEndsAtAWallThinnerThanAPixel) {
         }
         return sum;
     };
-    for (const int grid : {1, 2, 4}) {
+    for (const int grid : {1, 4}) {
         Bench bench;
         bench.settings = gather_settings();
         bench.settings.edit<EmcSettings>().gather_grid = grid;
         bench.settings.accumulate = kPasses + 1;
-        for (const int frames : {1, kAllFrames, kAllFrames + kPasses}) {
-            const ImageF image = still_picture(bench, scene, frames, kSize);
+        FrameScene still = scene;
+        for (int frames = 1; frames <= kAllFrames + kPasses; ++frames) {
+            const ImageF image = bench.frame(still, kSize);
+            hold_still(still);
+            if (frames != 1 && frames != kAllFrames && frames != kAllFrames + kPasses) {
+                continue;
+            }
             const double leaked = half(image, kSize.x / 2) / half(image, 0);
             std::printf("a thin wall, grid %d, %d frames: %.5f of the light behind it\n", grid, frames,
                         leaked);
@@ -429,7 +432,7 @@ TEST(Gather, WhatLimbsDoNotTouchIsKept) {
     limbs.settings = whole.settings = gather_settings();
     std::uint64_t fewer = 0, all = 0;
     double worst = 0;
-    for (int f = 0; f <= 12; ++f) {
+    for (int f = 0; f <= 6; ++f) {
         SCOPED_TRACE(f);
         if (f > 0) {
             hold_still(scene);
@@ -455,7 +458,7 @@ TEST(Gather, WhatMoversDoNotTouchStaysWhatItWas) {
     Bench some, all;
     some.settings = all.settings = gather_settings();
     ImageF last;
-    for (int f = 0; f <= 12; ++f) {
+    for (int f = 0; f <= 6; ++f) {
         SCOPED_TRACE(f);
         if (f > 0) {
             hold_still(scene);
@@ -476,7 +479,7 @@ TEST(Gather, WhatMoversDoNotTouchStaysWhatItWas) {
 
 // Light goes on being reflected, one bounce more a frame, and stays within what albedo 0.95 allows.
 TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
-    for (const float albedo : {0.5f, 0.9f, 1.0f}) {
+    for (const float albedo : {0.5f, 1.0f}) {
         Bench bench;
         bench.settings = gather_settings();
         bench.settings.edit<EmcSettings>().gather_endless = true;
@@ -490,7 +493,8 @@ TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
         hold_still(scene);
         double before = 0;
         double mean = 0;
-        for (int f = 0; f < 360; ++f) {
+        const int frames = albedo > 0.9f ? 360 : 60;  // as long as the series
+        for (int f = 0; f < frames; ++f) {
             scene.changes.lights = true;  // or a still picture would come to rest
             image = bench.frame(scene, ivec2(48));
             before = mean;

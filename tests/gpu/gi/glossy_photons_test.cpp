@@ -106,7 +106,7 @@ TEST(GlossyPhotons, ASphereOfMetalKeepsTheReferencesEnergy) {
             for (const dvec3& stored : photons.flux_stored) {
                 flux += stored.x;
             }
-            const std::vector<float> truth = by_path(scene, bounces, 64, false);
+            const std::vector<float> truth = by_path(scene, bounces, 16, false);
             for (const float lux : truth) {
                 wanted += static_cast<double>(lux) / static_cast<double>(truth.size());
             }

@@ -2,6 +2,8 @@
 // work, not in time, so that the verdict is the same on every machine.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "lanthorn/core/settings.h"
 #include "lanthorn/workbench/all_settings.h"
 #include "lanthorn/workbench/trade_measure.h"
@@ -13,8 +15,8 @@
 namespace lanthorn::tools {
 namespace {
 
-constexpr const char* kSize = "192x192";
-constexpr ivec2 kPixels(192);
+constexpr const char* kSize = "128x128";
+constexpr ivec2 kPixels(128);
 // Between presets of equally many bounces, what both leave out is most of the error against all bounces.
 constexpr double kAllBounces = 1.1;
 
@@ -30,12 +32,22 @@ class Presets : public testing::TestWithParam<const char*> {
         EXPECT_TRUE(outcome.ok()) << outcome.why();
         return file;
     }
+    // Traced once: presets share numbers of bounces.
+    std::string of_bounces(int bounces) {
+        std::string& file = of_bounces_[bounces];
+        if (file.empty()) {
+            const std::string count = std::to_string(bounces);
+            file = trace(count + ".exr", "indirect", "gi.bounces=" + count);
+        }
+        return file;
+    }
     static std::string scene() {
         return support::repository_file("assets/" + std::string(GetParam()) + ".glb");
     }
 
     SettingsSchema schema_;
     testing_tools::TemporaryFolder folder_;
+    std::map<int, std::string> of_bounces_;
 };
 
 TEST_P(Presets, ErrFallsAsWorkRises) {
@@ -46,8 +58,7 @@ TEST_P(Presets, ErrFallsAsWorkRises) {
         const TradePoint point{scene(), "emc", std::string(preset), {}, {}};
         const Settings settings = point.settings(schema_);
         TradeReferences references = all;
-        references.same =
-            trace("same.exr", "indirect", "gi.bounces=" + std::to_string(settings.get<int>("gi.bounces")));
+        references.same = of_bounces(settings.get<int>("gi.bounces"));
         TradeView view = view_point(point, {kPixels, {}, 1, 0}, schema_);
         compare_with_references(view, references);
         const TradeFigures& f = view.figures;
