@@ -38,6 +38,8 @@ set(LANTHORN_LONG_gpu_upscaled
 set(LANTHORN_LONG_gpu_editor
     Levels/Pictures.*/Level1 Levels/Pictures.*/Level2 Levels/Pictures.*/Level3 Levels/Pictures.*/Level4 Levels/Pictures.*/Level6
     Levels/Pictures.*/Level7 Levels/Pictures.*/Level8)
+# Two walks of which one stays.
+set(LANTHORN_LONG_gpu_many_rooms ManyRooms.AWalkIsTheSameInEveryRun)
 # A room that drives: one world around it stays, and a camera that is left behind.
 set(LANTHORN_LONG_gpu_maps_keep_up Worlds/DrivingRoom.*/in_0_m_at_a_walk Worlds/DrivingRoom.*/in_0_m_at_a_run Worlds/DrivingRoom.*/in_3000_*)
 # Sizes between others that stay, and by the other final stage; extremes.shipped has all of them by the default.

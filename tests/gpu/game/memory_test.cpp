@@ -28,7 +28,7 @@ shell::Holdings least(const shell::Holdings& a, const shell::Holdings& b) {
 }
 
 TEST(Memory, OfALongSessionDoesNotGrow) {
-    constexpr int kFrames = 200;  // of 5 steps
+    constexpr int kFrames = 100;  // of 5 steps
     constexpr int kFirst = 50;    // until everything is there
     const auto context = gpu::create_headless_context();
     Options options;

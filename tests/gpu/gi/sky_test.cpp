@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "engine/render/light_sensors.h"
 #include "gi_module/shared/rays/embree_rays.h"
@@ -130,12 +131,27 @@ TEST_P(SkyGathered, AFloorUnderAnEvenSkyHasPiTimesItsRadiance) {
     EXPECT_LT(a.rel_rmse, 5e-3);
 }
 
-// Shadows of the sky, and its light reflected 0 to N times: as `path` has it, and not once more.
-TEST_P(SkyGathered, ACourtIsLitAsThePathTracerFinds) {
+FrameScene court_by_day() {
     FrameScene scene = court();
     scene.sky = day();
+    return scene;
+}
+
+// Traced once for both final stages and both kinds of rays.
+const Truth& truth_of_court(int bounces) {
+    static std::map<int, Truth> traced;
+    const auto [found, missing] = traced.try_emplace(bounces);
+    if (missing) {
+        found->second = path_traced(court_by_day(), kSize, bounces, 512);
+    }
+    return found->second;
+}
+
+// Shadows of the sky, and its light reflected 0 to N times: as `path` has it, and not once more.
+TEST_P(SkyGathered, ACourtIsLitAsThePathTracerFinds) {
+    const FrameScene scene = court_by_day();
     for (const int bounces : {1, 3}) {
-        const Truth truth = path_traced(scene, kSize, bounces, 512);
+        const Truth& truth = truth_of_court(bounces);
         Bench bench;
         bench.settings = gather_settings(GetParam(), bounces);
         const Deviation a = against(still_picture(bench, scene), truth);
@@ -290,10 +306,9 @@ TEST(SkySplatted, AFloorUnderAnEvenSkyHasPiTimesItsRadiance) {
 
 // Shadows of the sky, and its light reflected 0 to N times.
 TEST(SkySplatted, ACourtIsLitAsThePathTracerFinds) {
-    FrameScene scene = court();
-    scene.sky = day();
+    const FrameScene scene = court_by_day();
     for (const int bounces : {1, 3}) {
-        const Truth truth = path_traced(scene, kSize, bounces, 512);
+        const Truth& truth = truth_of_court(bounces);
         Bench bench;
         bench.settings = splat_settings(bounces);
         const Deviation a = against(bench.frame(scene, kSize), truth);

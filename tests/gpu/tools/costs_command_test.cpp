@@ -46,6 +46,11 @@ class CostsCommand : public testing::Test {
         EXPECT_EQ(testing_tools::files_in(path("out")), (Words{"costs.html", "costs.json"}));
         return json::parse(file_bytes(path("out/costs.json"))).at("scenes").at(0);
     }
+    // At rest and in a walk; measured once, which takes most of the tests' time.
+    const json& cornell_without_muted_lights() const {
+        static const json measured = measure(kCornell, {"--motion", "walk", "--lights", "0"});
+        return measured;
+    }
     // The Cornell box with one lamp more, of so many candela, where its own hangs.
     std::string with_lamp(float candela) const {
         SceneData scene = scene_generator::cornell();
@@ -73,7 +78,7 @@ class CostsCommand : public testing::Test {
 };
 
 TEST_F(CostsCommand, PartsSumUpAtRestAndInMotion) {
-    const json scene = measure(kCornell, {"--motion", "walk", "--lights", "0"});
+    const json& scene = cornell_without_muted_lights();
     ASSERT_EQ(scene.at("motions").size(), 2u);
     double gather[2] = {0, 0};
     for (std::size_t m = 0; m < 2; ++m) {
@@ -111,7 +116,7 @@ TEST_F(CostsCommand, PartsSumUpAtRestAndInMotion) {
 }
 
 TEST_F(CostsCommand, WhatThePlanLeavesOutIsNamedWithItsReasonAndItsRule) {
-    const json left_out = measure(kCornell, {"--lights", "0"}).at("motions").at(0).at("left_out");
+    const json& left_out = cornell_without_muted_lights().at("motions").at(0).at("left_out");
     const auto line = [&](const std::string& pass) {
         for (const json& of : left_out.at("lines")) {
             if (of.at("pass") == pass) {
