@@ -9,20 +9,21 @@
 
 namespace lanthorn {
 
-namespace {
-
-std::string duration(double seconds) {
-    const auto s = static_cast<std::uint64_t>(std::ceil(seconds));
-    if (s < 60) {
-        return fmt::format("{} s", s);
+std::string duration_words(double seconds) {
+    seconds = std::min(std::max(0.1, seconds), 1e9);  // of a NaN, max() returns the first
+    if (seconds < 9.95) {
+        return fmt::format("{:.1f} s", seconds);
     }
-    if (s < 3600) {
-        return fmt::format("{} min {:02} s", s / 60, s % 60);
+    const long long whole = std::llround(seconds);
+    if (whole < 60) {
+        return fmt::format("{} s", whole);
     }
-    return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+    if (whole < 3600) {
+        return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    }
+    const long long minutes = std::llround(seconds / 60);
+    return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
-
-}  // namespace
 
 Progress::Progress(std::string what, std::uint64_t total)
     : what_(std::move(what)), total_(total), visible_(isatty(STDERR_FILENO) != 0) {}
@@ -53,7 +54,7 @@ std::string Progress::line(const std::string& what, std::uint64_t done, std::uin
     std::string text = fmt::format("{} [{}{}] {:3.0f} %", what, std::string(filled, '#'),
                                    std::string(kWidth - filled, ' '), std::floor(100 * share));
     if (done > 0 && done < total) {
-        text += fmt::format("  {} left", duration(seconds * (1 - share) / share));
+        text += fmt::format("  {} left", duration_words(seconds * (1 - share) / share));
     }
     return text;
 }

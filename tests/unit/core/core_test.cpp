@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/math.h"
 #include "lanthorn/core/printable.h"
@@ -92,10 +94,30 @@ TEST(Aabb, TransformedHoldsEveryTransformedCorner) {
     EXPECT_TRUE(transformed(Aabb{}, m).empty());
 }
 
+TEST(DurationWords, HaveTheUnitThatTheyNeed) {
+    EXPECT_EQ(duration_words(0.44), "0.4 s");
+    EXPECT_EQ(duration_words(9.94), "9.9 s");
+    EXPECT_EQ(duration_words(9.96), "10 s");
+    EXPECT_EQ(duration_words(59.4), "59 s");
+    EXPECT_EQ(duration_words(59.6), "1 min 00 s");
+    EXPECT_EQ(duration_words(150), "2 min 30 s");
+    EXPECT_EQ(duration_words(3599.4), "59 min 59 s");
+    EXPECT_EQ(duration_words(3599.6), "1 h 00 min");
+    EXPECT_EQ(duration_words(7529), "2 h 05 min");
+    EXPECT_EQ(duration_words(7531), "2 h 06 min");
+}
+
+TEST(DurationWords, AreWordsAtExtremes) {
+    EXPECT_EQ(duration_words(0), "0.1 s");
+    EXPECT_EQ(duration_words(-7), "0.1 s");
+    EXPECT_EQ(duration_words(std::numeric_limits<double>::quiet_NaN()), "0.1 s");
+    EXPECT_EQ(duration_words(std::numeric_limits<double>::infinity()), "277777 h 47 min");
+}
+
 TEST(Progress, LineTellsShareAndRemainingTime) {
     EXPECT_EQ(Progress::line("rendering", 0, 4, 0), "rendering [                              ]   0 %");
     EXPECT_EQ(Progress::line("rendering", 2, 4, 3),
-              "rendering [###############               ]  50 %  3 s left");
+              "rendering [###############               ]  50 %  3.0 s left");
     EXPECT_EQ(Progress::line("rendering", 1, 100, 10),
               "rendering [                              ]   1 %  16 min 30 s left");
     EXPECT_EQ(Progress::line("rendering", 1, 3601, 2),

@@ -58,12 +58,14 @@ TEST(TracedSamples, EndBeforeAllAreTaken) {
     EXPECT_FALSE(traced.seconds_left());
 }
 
-TEST(TracedSamples, SayTimesInTheirUnit) {
-    EXPECT_EQ(duration_words(0.01), "0.1 s");
-    EXPECT_EQ(duration_words(0.44), "0.4 s");
-    EXPECT_EQ(duration_words(59.6), "60 s");
-    EXPECT_EQ(duration_words(150), "2 min 30 s");
-    EXPECT_EQ(duration_words(7500), "2 h 5 min");
+// Of what a sample is said to take, nothing being timed.
+TEST(TracedSamples, TellTheRestOfWhatASampleTakes) {
+    TracedSamples traced;
+    traced.drew({3, 64, false}, 0);
+    EXPECT_FALSE(traced.seconds_left());
+    EXPECT_DOUBLE_EQ(traced.seconds_left(500), 0.5 * 61);
+    traced.drew({3, 64, true}, 0);
+    EXPECT_DOUBLE_EQ(traced.seconds_left(500), 0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/progress.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/technique.h"
 #include "lanthorn/runtime/app.h"
@@ -80,8 +81,7 @@ void EditScript::print_progress(const std::vector<std::string>& words) {
     std::string line = progress_words();
     if (words.size() > 2 && traced_.due()) {
         const double ms = number(words[2], 0, kMostMs, "milliseconds from 0 to 1e9");
-        const gi::SampleProgress& now = traced_.progress();
-        line += ", " + duration_words(1e-3 * ms * (now.wanted - now.done)) + " left";
+        line += ", " + duration_words(traced_.seconds_left(ms)) + " left";
     }
     print_(line);
 }

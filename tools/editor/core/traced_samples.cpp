@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lanthorn/core/progress.h"
+
 namespace lanthorn::editor {
 
 void TracedSamples::drew(const gi::SampleProgress& now, double ms) {
@@ -34,7 +36,11 @@ std::optional<double> TracedSamples::seconds_left() const {
     std::vector<double> sorted(ms_.begin(), ms_.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::ranges::nth_element(sorted, middle);
-    return 1e-3 * *middle * (now_.wanted - now_.done);
+    return seconds_left(*middle);
+}
+
+double TracedSamples::seconds_left(double sample_ms) const {
+    return due() ? 1e-3 * sample_ms * (now_.wanted - now_.done) : 0;
 }
 
 std::string TracedSamples::words() const {
@@ -44,18 +50,6 @@ std::string TracedSamples::words() const {
 std::string TracedSamples::left_words() const {
     const std::optional<double> left = seconds_left();
     return left ? duration_words(*left) + " left" : std::string();
-}
-
-std::string duration_words(double seconds) {
-    if (seconds < 0.95) {
-        return fmt::format("{:.1f} s", std::max(0.1, seconds));
-    }
-    const auto whole = std::llround(std::min(seconds, 1e9));
-    if (whole < 90) {
-        return fmt::format("{} s", whole);
-    }
-    return whole < 90 * 60 ? fmt::format("{} min {} s", whole / 60, whole % 60)
-                           : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 }  // namespace lanthorn::editor

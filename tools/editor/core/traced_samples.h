@@ -27,6 +27,8 @@ class TracedSamples {
     // Until all are taken, by the median of what a sample took in the newest passes; nothing: no pass has
     // been timed.
     std::optional<double> seconds_left() const;
+    // The same where a sample takes so many milliseconds; 0: none is due.
+    double seconds_left(double sample_ms) const;
 
     // "12 of 64 samples"; empty where nothing grows.
     std::string words() const;
@@ -37,8 +39,5 @@ class TracedSamples {
     gi::SampleProgress now_;
     std::deque<double> ms_;  // a sample
 };
-
-// "0.4 s", "18 s", "2 min 30 s", "1 h 5 min".
-std::string duration_words(double seconds);
 
 }  // namespace lanthorn::editor

@@ -7,6 +7,10 @@
 
 namespace lanthorn {
 
+// How long something takes, for people: tenths below 10 s ("0.4 s"), then "18 s", "2 min 05 s", "1 h 30 min",
+// rounded to the nearest. At least 0.1 s, also of what is negative or NaN; at most 1e9 s.
+std::string duration_words(double seconds);
+
 class Progress {
   public:
     // `total` steps of `what` ("rendering"). Draws on standard error, and only if that is a terminal.
@@ -20,7 +24,7 @@ class Progress {
 
     bool visible() const { return visible_; }  // there is a terminal to draw on
 
-    // "rendering [#####     ]  50 %  3 s left": one line, `seconds` after the start.
+    // "rendering [#####     ]  50 %  3.0 s left": one line, `seconds` after the start.
     static std::string line(const std::string& what, std::uint64_t done, std::uint64_t total, double seconds);
 
   private:
