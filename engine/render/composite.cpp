@@ -157,10 +157,9 @@ void Composite::take(const gpu::Texture& radiance) {
 void Composite::expose(const RenderSettings& settings, bool reset, bool around) {
     const gpu::Program& program =
         expose_.with(around ? std::vector<std::string>{"WITH_AROUND"} : std::vector<std::string>());
-    // ISO 2720 with the usual saturation-based speed: a manual EV100 maps 1.2 * 2^EV nits to 1.
     program.set("radiance", 0);
     program.set("manual", settings.exposure_mode == ExposureMode::manual ? 1 : 0);
-    program.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
+    program.set("manual_exposure", exposure_of_ev100(settings.exposure_ev100));
     program.set("compensation", std::exp2(settings.exposure_compensation));
     program.set("darkest", settings.exposure_darkest);
     program.set("rate", reset ? 1.0f : settings.exposure_glide);

@@ -1,8 +1,30 @@
 #include "lanthorn/render/render_settings.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "lanthorn/core/settings.h"
 
 namespace lanthorn::render {
+
+namespace {
+
+constexpr double kWhiteNits = 1.2;  // at EV100 0
+
+}  // namespace
+
+float exposure_of_ev100(float ev100) {
+    return 1 / (static_cast<float>(kWhiteNits) * std::exp2(ev100));
+}
+
+double ev100_of_exposure(double exposure) {
+    using Limits = std::numeric_limits<float>;
+    // Of a NaN, max() returns the first.
+    const double factor =
+        std::min(std::max(static_cast<double>(Limits::min()), exposure), static_cast<double>(Limits::max()));
+    return -std::log2(kWhiteNits * factor);
+}
 
 void declare_render_settings(SettingsSchema& schema) {
     const RenderSettings d;

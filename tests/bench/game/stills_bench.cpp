@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -65,7 +64,7 @@ std::vector<float> median(std::span<const std::vector<float>> pictures) {
 ImageF displayed(const std::vector<float>& radiance, const std::vector<float>& coverage, ivec2 size,
                  render::RenderSettings settings, float exposure) {
     settings.exposure_mode = render::ExposureMode::manual;
-    settings.exposure_ev100 = -std::log2(1.2f * exposure);
+    settings.exposure_ev100 = static_cast<float>(render::ev100_of_exposure(static_cast<double>(exposure)));
     settings.exposure_compensation = 0;
     const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
     render::Composite composite(size, depth);

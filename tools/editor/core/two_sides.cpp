@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/render/render_settings.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/render_plugin.h"
 
@@ -42,10 +43,9 @@ DrawnAs drawn_as(std::string_view words, const DrawnAs& now) {
     return result;
 }
 
-// As engine/render/composite.cpp has it: EV100 maps 1.2 * 2^EV nits to 1.
 double ev100_of(const Settings& settings, double exposure) {
-    const auto stops = static_cast<double>(settings.get<float>("render.exposure.compensation"));
-    return std::log2(std::exp2(stops) / (1.2 * std::max(1e-12, exposure)));
+    return render::ev100_of_exposure(exposure) +
+           static_cast<double>(settings.get<float>("render.exposure.compensation"));
 }
 
 Settings with_exposure(Settings settings, double ev100) {

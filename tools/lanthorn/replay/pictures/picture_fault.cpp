@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "lanthorn/core/error.h"
@@ -57,7 +56,8 @@ MarkPicture without_shadow(const MarkArtist& artist, const MarkedMoment& at, con
         auto& settings = app.world().resource_mut<render::RenderSettings>();
         settings.exposure_mode = render::ExposureMode::manual;
         settings.exposure_compensation = 0;
-        settings.exposure_ev100 = -std::log2(1.2f * picture.exposure);
+        settings.exposure_ev100 =
+            static_cast<float>(render::ev100_of_exposure(static_cast<double>(picture.exposure)));
     });
     const ImageF depth = picture.depth;
     for (int y = 0; y < depth.height; ++y) {

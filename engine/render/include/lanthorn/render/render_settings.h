@@ -10,6 +10,12 @@ namespace lanthorn::render {
 
 // automatic: the picture's average luminance becomes middle grey; manual: exposure_ev100 says.
 enum class ExposureMode { automatic, manual };
+// The factor from nits to display-linear of a manual exposure: 1.2 * 2^EV nits are shown as 1, as ISO 2720
+// has it with the usual saturation-based speed.
+float exposure_of_ev100(float ev100);
+// The EV100 of such a factor, -129..126: what is not above 0 counts as the smallest there is, and a NaN
+// likewise.
+double ev100_of_exposure(double exposure);
 // From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.
 enum class ToneMap { aces, neutral, none };
 // How a picture of which fewer pixels are drawn than it has gets the others: by the window that scales it,
