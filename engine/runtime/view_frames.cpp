@@ -1,64 +1,25 @@
 #include "engine/runtime/view_frames.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "engine/render/scene_renderer.h"
 #include "engine/runtime/view_cameras.h"
+#include "engine/scene/scene_changes.h"
 #include "lanthorn/scene/view.h"
 
 namespace lanthorn {
 
 namespace {
 
-template <class T>
-std::vector<std::uint32_t> occupied(const AssetTable<T>& table) {
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < table.size(); ++slot) {
-        if (table.has(slot)) {
-            slots.push_back(slot);
-        }
-    }
-    return slots;
-}
-
-// As of a first extraction.
-SceneChanges everything(const FrameScene& scene) {
-    SceneChanges changes;
-    changes.replaced = true;
-    changes.moved.resize(scene.instances.size());
-    std::iota(changes.moved.begin(), changes.moved.end(), 0u);
-    changes.arrived = changes.moved;
-    changes.dirty = scene.bounds;
-    changes.meshes = occupied(scene.assets->meshes);
-    changes.materials = occupied(scene.assets->materials);
-    changes.images = occupied(scene.assets->images);
-    return changes;
-}
-
 // What differs from a scene of some frames ago; nothing where things came or went, or assets are others.
 std::optional<SceneChanges> changes_since(const FrameScene& before, const FrameScene& now) {
-    const auto same_thing = [](const Instance& a, const Instance& b) {
-        return a.id == b.id && a.mesh == b.mesh;
-    };
-    if (before.origin != now.origin || before.assets->serial != now.assets->serial ||
-        !std::ranges::equal(before.instances, now.instances, same_thing)) {
+    if (before.origin != now.origin || before.instances.size() != now.instances.size()) {
         return std::nullopt;
     }
-    SceneChanges changes;
-    changes.assets = false;
-    for (std::uint32_t i = 0; i < now.instances.size(); ++i) {
-        const Instance &was = before.instances[i], &is = now.instances[i];
-        if (was.transform != is.transform || was.bounds != is.bounds || was.version != is.version) {
-            changes.moved.push_back(i);
-            changes.dirty.add(was.bounds);
-            changes.dirty.add(is.bounds);
-        }
-    }
-    changes.geometry = !changes.moved.empty();
-    changes.lights = before.lights != now.lights || before.sky != now.sky;
-    return changes;
+    SceneChanges changes = changes_between(before, now, earlier_instances(before.instances, now.instances));
+    // As many as before, and none came: none went.
+    return changes.assets || !changes.arrived.empty() ? std::nullopt : std::optional(std::move(changes));
 }
 
 // The scene for a view that has none of its own yet, or of the frame before.
@@ -73,7 +34,7 @@ void see(DrawnView& drawn, const FrameScene& scene, const CameraView& look, bool
     if (goes_on) {
         drawn.own->changes.camera = !same_look;
     } else {
-        drawn.own->changes = everything(scene);
+        drawn.own->changes = all_changed(scene);
     }
     drawn.scene = drawn.own.get();
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numeric>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/core/finite.h"
 #include "engine/scene/clear_sky.h"
+#include "engine/scene/scene_changes.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
@@ -152,7 +154,6 @@ void Extractor::order_parts(const SceneAssets& assets, const ecs::World& world) 
 }
 
 void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
-    generations_.clear();
     frame.instances.reserve(parts_.size());
     for (const Part& part : parts_) {
         const Source& source = sources_[part.source];
@@ -171,6 +172,7 @@ void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
         Instance& instance = frame.instances.emplace_back();
         instance.id = part.id;
         instance.mesh = part.mesh;
+        instance.generation = source.entity.generation;
         instance.transform = transform;
         instance.bounds = moved;
         frame.bounds.add(moved);
@@ -179,7 +181,6 @@ void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
             instance.deformed = static_cast<std::uint32_t>(frame.deformed.size());
             frame.deformed.push_back(*deformed);
         }
-        generations_.push_back(source.entity.generation);
     }
 }
 
@@ -336,115 +337,27 @@ FrameScene Extractor::extract(const ecs::World& world, const CameraView& view) {
     return finish(std::move(frame));
 }
 
-void Extractor::compare_geometry(FrameScene& frame) {
-    SceneChanges& changes = frame.changes;
-    const vec3 shift(last_.origin - frame.origin);  // what was at p is now at p + shift
-    const auto shifted = [&](Aabb box) {
-        return box.empty() ? box : Aabb{box.lower + shift, box.upper + shift};
-    };
-    const bool origin_moved = last_.origin != frame.origin;
-    const auto key = [](const Instance& i, std::uint32_t generation) {
-        return std::tuple(i.id, i.mesh, generation);
-    };
-    const auto other_shape = [&](const FrameScene& scene, const Instance& i) {
-        const SceneAssets& before = *last_.assets;
-        return before.meshes.version(i.mesh) != scene.mesh_version(i) ||
-               before.materials.version(before.meshes[i.mesh].material).surface !=
-                   scene.material_version(i).surface;
-    };
-    changes.replaced = true;
+void Extractor::mark_static(FrameScene& frame, const std::vector<std::uint32_t>& earlier) {
     std::vector<std::uint32_t> unmoved(frame.instances.size(), 0);
-    bool removed = false;
-    std::size_t old = 0;
-    for (std::size_t i = 0; i < frame.instances.size(); ++i) {
-        Instance& now = frame.instances[i];
-        const auto here = key(now, generations_[i]);
-        for (; old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) < here;
-             ++old) {
-            changes.dirty.add(shifted(last_.instances[old].bounds));
-            removed = true;
-        }
-        bool moved = true;
-        if (old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) == here) {
-            const Instance& before = last_.instances[old];
-            moved = origin_moved || before.transform != now.transform || before.bounds != now.bounds ||
-                    before.version != now.version || (changes.assets && other_shape(frame, now));
-            if (moved) changes.dirty.add(shifted(before.bounds));
-            if (!moved) unmoved[i] = last_.unmoved[old] + 1;
-            ++old;
-            changes.replaced = false;
+    auto moved = frame.changes.moved.begin();
+    for (std::size_t i = 0; i < unmoved.size(); ++i) {
+        if (moved != frame.changes.moved.end() && *moved == i) {
+            ++moved;
         } else {
-            changes.arrived.push_back(static_cast<std::uint32_t>(i));
+            unmoved[i] = unmoved_[earlier[i]] + 1;
         }
-        if (moved) {
-            changes.dirty.add(now.bounds);
-            changes.moved.push_back(static_cast<std::uint32_t>(i));
-        }
-        now.is_static = unmoved[i] >= kStaticAfter;
+        frame.instances[i].is_static = unmoved[i] >= kStaticAfter;
     }
-    for (; old < last_.instances.size(); ++old) {
-        changes.dirty.add(shifted(last_.instances[old].bounds));
-        removed = true;
-    }
-    changes.geometry = removed || !changes.moved.empty();
-    last_.unmoved = std::move(unmoved);
-}
-
-namespace {
-
-// Slots whose asset is not the one that `before` has there.
-template <class T>
-std::vector<std::uint32_t> differing(const AssetTable<T>& before, const AssetTable<T>& now) {
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < std::max(before.size(), now.size()); ++slot) {
-        const std::uint64_t was = before.has(slot) ? before.version(slot).any : 0;
-        const std::uint64_t is = now.has(slot) ? now.version(slot).any : 0;
-        if (was != is) slots.push_back(slot);
-    }
-    return slots;
-}
-
-}  // namespace
-
-// Of instances that were there before: what came is new altogether.
-void Extractor::compare_assets(FrameScene& frame) {
-    SceneChanges& changes = frame.changes;
-    const SceneAssets& before = *last_.assets;
-    changes.meshes = differing(before.meshes, frame.assets->meshes);
-    changes.materials = differing(before.materials, frame.assets->materials);
-    changes.images = differing(before.images, frame.assets->images);
-    if (changes.materials.empty() && changes.meshes.empty()) return;
-    auto arrived = changes.arrived.begin();
-    for (std::uint32_t i = 0; i < frame.instances.size(); ++i) {
-        if (arrived != changes.arrived.end() && *arrived == i) {
-            ++arrived;
-            continue;
-        }
-        const Instance& instance = frame.instances[i];
-        const std::uint32_t material = before.meshes[instance.mesh].material;
-        const AssetVersion<Material>& was = before.materials.version(material);
-        const AssetVersion<Material>& is = frame.material_version(instance);
-        if (was.albedo != is.albedo) changes.painted.push_back(i);
-        changes.pattern = changes.pattern || was.kept(material) != is.kept(material);
-        changes.emission = changes.emission || was.emission != is.emission;
-        changes.relief = changes.relief || was.relief != is.relief;
-    }
+    unmoved_ = std::move(unmoved);
 }
 
 FrameScene Extractor::finish(FrameScene frame) {
-    const bool first = frame.frame == 0;
-    if (first) last_.assets = no_assets();
-    frame.changes.assets = first || last_.assets->serial != frame.assets->serial;
-    compare_geometry(frame);
-    if (frame.changes.assets) compare_assets(frame);
-    const bool moved_origin = last_.origin != frame.origin;
-    frame.changes.geometry = frame.changes.geometry || first;
-    frame.changes.lights = first || moved_origin || last_.lights != frame.lights || last_.sky != frame.sky;
-    frame.changes.camera = first || moved_origin || last_.camera != frame.camera;
+    const std::vector<std::uint32_t> earlier = earlier_instances(last_.instances, frame.instances);
+    frame.changes = frame.frame == 0 ? all_changed(frame) : changes_between(last_, frame, earlier);
+    mark_static(frame, earlier);
     last_.origin = frame.origin;
     last_.assets = frame.assets;
     last_.instances = frame.instances;
-    std::swap(last_.generations, generations_);
     last_.lights = frame.lights;
     last_.sky = frame.sky;
     last_.camera = frame.camera;

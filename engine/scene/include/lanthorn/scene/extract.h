@@ -71,8 +71,8 @@ class Extractor {
     void add_clear_sky(FrameScene& frame, const ecs::World& world);
     void add_sensors(FrameScene& frame, const ecs::World& world);
     FrameScene finish(FrameScene frame);
-    void compare_geometry(FrameScene& frame);
-    void compare_assets(FrameScene& frame);
+    // Tells those that have been still for long; `earlier`: by instance, its index in last_.
+    void mark_static(FrameScene& frame, const std::vector<std::uint32_t>& earlier);
 
     std::uint64_t frames_ = 0;
     dvec3 origin_{0};
@@ -85,18 +85,10 @@ class Extractor {
 
     // Of this extraction, kept for their memory.
     std::vector<Source> sources_;
-    std::vector<Part> parts_;                 // in the order of instances
-    std::vector<std::uint32_t> generations_;  // one an instance
-    struct Last {
-        dvec3 origin{0};
-        std::shared_ptr<const SceneAssets> assets;
-        std::vector<Instance> instances;
-        std::vector<std::uint32_t> generations;
-        std::vector<std::uint32_t> unmoved;  // extractions since the last move
-        std::vector<LightInstance> lights;
-        std::optional<SkyInstance> sky;
-        CameraView camera;
-    } last_;
+    std::vector<Part> parts_;  // in the order of instances
+    // The last extraction, but for what is deformed: that memory is to be free for the next.
+    FrameScene last_;
+    std::vector<std::uint32_t> unmoved_;  // extractions since each instance's last move
 };
 
 }  // namespace lanthorn

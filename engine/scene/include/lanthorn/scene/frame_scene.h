@@ -26,6 +26,7 @@ struct Instance {
     std::uint32_t id = 0;                   // stable over frames: the entity's index
     std::uint32_t mesh = 0;                 // slot of SceneAssets::meshes; the material is the mesh's
     std::uint32_t deformed = kNotDeformed;  // into FrameScene::deformed, whose vertices then are drawn
+    std::uint32_t generation = 0;           // the entity's: another entity of that index has another one
     std::uint64_t version = 0;              // DeformedMesh::version, 0 without
     mat4 transform{1};                      // object (or deformed vertices') to render space
     Aabb bounds;                            // render space
