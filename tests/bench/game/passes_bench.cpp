@@ -8,23 +8,18 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <map>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "game/level/campaign.h"
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/gi/gi_plugin.h"
-#include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "tests/bench/game/level_bench.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
@@ -78,33 +73,18 @@ void measure(const std::string& stem, ivec2 size, const std::string& preset, int
     }
 }
 
-int run(std::span<char*> arguments) {
-    const auto number = [&](std::size_t i) { return i < arguments.size() ? std::atoi(arguments[i]) : 0; };
-    const ivec2 size(number(1), number(2));
-    const int frames = number(4);
-    if (size.x < 1 || size.y < 1 || frames < 1) {
-        fmt::print(stderr, "bench_passes: expected WIDTH HEIGHT PRESET FRAMES [LEVEL...], numbers above 0\n");
-        return 2;
-    }
-    std::vector<std::string> levels(arguments.begin() + 5, arguments.end());
-    if (levels.empty()) {
-        levels.assign(campaign().begin(), campaign().end());
-    }
-    const auto context = gpu::create_headless_context();
-    for (const std::string& stem : levels) {
-        measure(stem, size, arguments[3], frames);
-    }
-    return 0;
-}
-
 }  // namespace
 }  // namespace lanthorn::game
 
 int main(int argc, char** argv) {
-    try {
-        return lanthorn::game::run(std::span(argv, static_cast<std::size_t>(argc)));
-    } catch (const std::exception& e) {
-        fmt::print(stderr, "bench_passes: {}\n", e.what());
-        return 2;
-    }
+    using namespace lanthorn;
+    const game::LevelBench bench{"bench_passes", "WIDTH HEIGHT PRESET FRAMES"};
+    return bench.run(argc, argv,
+                     [&](const std::vector<std::string>& words, const std::vector<std::string>& levels) {
+                         const ivec2 size(bench.number(words[0]), bench.number(words[1]));
+                         const int frames = bench.number(words[3]);
+                         for (const std::string& stem : levels) {
+                             game::measure(stem, size, words[2], frames);
+                         }
+                     });
 }

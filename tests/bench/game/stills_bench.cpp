@@ -10,25 +10,23 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "game/level/campaign.h"
 #include "game/level/title_camera.h"
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
-#include "lanthorn/gpu/context.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/workbench/flip.h"
+#include "tests/bench/game/level_bench.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
@@ -42,7 +40,8 @@ struct Wanted {
     int batches = 0, spp = 0;
 };
 
-double mean(const std::vector<float>& values) {
+template <class T>
+double mean(const std::vector<T>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -151,40 +150,22 @@ std::vector<double> stills(const std::string& stem, const Wanted& wanted) {
     return errors;
 }
 
-int run(std::span<char*> arguments) {
-    if (arguments.size() < 5) {
-        fmt::print(stderr, "bench_stills: expected WIDTH HEIGHT BATCHES SPP [LEVEL...]\n");
-        return 2;
-    }
-    const Wanted wanted{
-        {std::atoi(arguments[1]), std::atoi(arguments[2])}, std::atoi(arguments[3]), std::atoi(arguments[4])};
-    if (wanted.size.x < 1 || wanted.size.y < 1 || wanted.batches < 2 || wanted.spp < 1) {
-        fmt::print(stderr, "bench_stills: expected a size and samples above 0, and two batches or more\n");
-        return 2;
-    }
-    std::vector<std::string> levels(arguments.begin() + 5, arguments.end());
-    if (levels.empty()) {
-        levels.assign(campaign().begin(), campaign().end());
-    }
-    const auto context = gpu::create_headless_context();
-    std::vector<double> errors;
-    for (const std::string& stem : levels) {
-        std::ranges::copy(stills(stem, wanted), std::back_inserter(errors));
-    }
-    fmt::print("mean {:.3f}, worst {:.3f} of {} stills\n",
-               std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
-               std::ranges::max(errors), errors.size());
-    return 0;
-}
-
 }  // namespace
 }  // namespace lanthorn::game
 
 int main(int argc, char** argv) {
-    try {
-        return lanthorn::game::run(std::span(argv, static_cast<std::size_t>(argc)));
-    } catch (const std::exception& e) {
-        fmt::print(stderr, "bench_stills: {}\n", e.what());
-        return 2;
-    }
+    using namespace lanthorn;
+    const game::LevelBench bench{"bench_stills", "WIDTH HEIGHT BATCHES SPP"};
+    return bench.run(argc, argv,
+                     [&](const std::vector<std::string>& words, const std::vector<std::string>& levels) {
+                         const game::Wanted wanted{{bench.number(words[0]), bench.number(words[1])},
+                                                   bench.number(words[2], 2),
+                                                   bench.number(words[3])};
+                         std::vector<double> errors;
+                         for (const std::string& stem : levels) {
+                             std::ranges::copy(game::stills(stem, wanted), std::back_inserter(errors));
+                         }
+                         fmt::print("mean {:.3f}, worst {:.3f} of {} stills\n", game::mean(errors),
+                                    std::ranges::max(errors), errors.size());
+                     });
 }

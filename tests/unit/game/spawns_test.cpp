@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "game/rules/figures.h"
 #include "game/rules/looks.h"
 #include "lanthorn/physics/physics.h"
 #include "lanthorn/runtime/view.h"
+#include "tests/support/scene_names.h"
 #include "tests/unit/game/test_level.h"
-#include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::game {
 namespace {
@@ -73,11 +72,7 @@ TEST_P(Spawns, ShowHerAndWhatToDo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Spawns, testing::ValuesIn(scene_generator::level_scenes()),
-                         [](const auto& of) {
-                             std::string name = of.param.name.substr(of.param.name.find('/') + 1);
-                             std::erase(name, '-');
-                             return name;
-                         });
+                         support::scene_name);
 
 }  // namespace
 }  // namespace lanthorn::game

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "lanthorn/physics/physics.h"
+#include "tests/support/scene_names.h"
 #include "tests/unit/game/test_level.h"
-#include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::game {
 namespace {
@@ -57,11 +56,7 @@ TEST_P(Windows, TheFirstCameraIsTheEstablishingOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Windows, testing::ValuesIn(scene_generator::level_scenes()),
-                         [](const auto& of) {
-                             std::string name = of.param.name.substr(of.param.name.find('/') + 1);
-                             std::erase(name, '-');
-                             return name;
-                         });
+                         support::scene_name);
 
 }  // namespace
 }  // namespace lanthorn::game

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "tests/support/repository.h"
+#include "tests/support/scene_names.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -121,17 +122,11 @@ TEST_P(EveryScene, SolidsAreClosed) {
     }
 }
 
-std::string test_name(const testing::TestParamInfo<NamedScene>& info) {
-    std::string name = info.param.name;
-    std::ranges::replace_if(
-        name, [](char c) { return c == '-' || c == '/'; }, '_');
-    return name;
-}
-INSTANTIATE_TEST_SUITE_P(Scenes, CommittedScene, testing::ValuesIn(all_scenes()), test_name);
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), test_name);
-INSTANTIATE_TEST_SUITE_P(Levels, CommittedScene, testing::ValuesIn(level_scenes()), test_name);
-INSTANTIATE_TEST_SUITE_P(Levels, EveryScene, testing::ValuesIn(level_scenes()), test_name);
-INSTANTIATE_TEST_SUITE_P(LargeScenes, EveryScene, testing::ValuesIn(large_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, CommittedScene, testing::ValuesIn(all_scenes()), support::scene_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), support::scene_name);
+INSTANTIATE_TEST_SUITE_P(Levels, CommittedScene, testing::ValuesIn(level_scenes()), support::scene_name);
+INSTANTIATE_TEST_SUITE_P(Levels, EveryScene, testing::ValuesIn(level_scenes()), support::scene_name);
+INSTANTIATE_TEST_SUITE_P(LargeScenes, EveryScene, testing::ValuesIn(large_scenes()), support::scene_name);
 
 // In no list: too large for a file that nothing needs.
 TEST(DragonSized, HasTheDragonsTrianglesAndItsOutsideOut) {
