@@ -1,7 +1,7 @@
 #version 450 core
 // A rectangle around each flame, which faces the camera as far as its axis lets it: two triangles.
 #include "camera.glsl"
-#include "glow_data.h"
+#include "strip_data.h"
 
 layout(std430, binding = 0) readonly buffer PictureGlows {
     PictureGlow glows[];

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/core/finite.h"
-#include "engine/render/fullscreen.h"
+#include "engine/render/picture_strips.h"
 
 namespace lanthorn::render {
 
@@ -20,24 +20,13 @@ void GlowPass::draw(std::span<const Glow> glows, const CameraUniforms& camera, c
     if (shown_.empty()) {
         return;
     }
-    buffer_.hold(std::span<const PictureGlow>(shown_)).bind_storage(kPictureGlowsBinding);
+    buffer_.hold(std::span<const PictureGlow>(shown_)).bind_storage(kPictureStripsBinding);
     if (!program_) {
         program_.emplace(
             std::vector<std::filesystem::path>{"engine/render/glow.vert", "engine/render/glow.frag"});
     }
     camera.set(*program_);
-    target.bind(size);
-    program_->use();
-    bind_no_vertices();
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(shown_.size()));
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_TEST);
+    PictureStrips(*program_, target, size, PictureStrips::Alpha::premultiplied).draw(shown_.size(), true);
 }
 
 }  // namespace lanthorn::render

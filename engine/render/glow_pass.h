@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/glow_data.h"
 #include "engine/render/glows.h"
+#include "engine/render/strip_data.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"

@@ -1,6 +1,6 @@
 #version 450 core
 // A rectangle around each line: two triangles, with a pixel to spare.
-#include "line_data.h"
+#include "strip_data.h"
 
 layout(std430, binding = 0) readonly buffer PictureLines {
     PictureLine lines[];

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/finite.h"
-#include "engine/render/fullscreen.h"
+#include "engine/render/picture_strips.h"
 
 namespace lanthorn::render {
 
@@ -99,29 +99,17 @@ void LinePass::draw(std::span<const Line> everywhere, std::span<const Line> here
     if (lines_.empty()) {
         return;
     }
-    buffer_.hold(std::span<const PictureLine>(lines_)).bind_storage(kPictureLinesBinding);
-    target.bind(size);
+    buffer_.hold(std::span<const PictureLine>(lines_)).bind_storage(kPictureStripsBinding);
     program_.set("picture_size", vec2(size));
-    program_.use();
-    bind_no_vertices();
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
-    glDisable(GL_CULL_FACE);
-    const auto draw_some = [&](std::size_t first, std::size_t count) {
-        program_.set("first_line", static_cast<int>(first));
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+    const PictureStrips strips(program_, target, size, PictureStrips::Alpha::straight);
+    const auto draw_some = [&](std::size_t first, std::size_t count, bool hidden) {
+        if (count > 0) {
+            program_.set("first_line", static_cast<int>(first));
+            strips.draw(count, hidden);
+        }
     };
-    if (tested > 0) {
-        glEnable(GL_DEPTH_TEST);
-        draw_some(0, tested);
-        glDisable(GL_DEPTH_TEST);
-    }
-    if (tested < lines_.size()) {
-        draw_some(tested, lines_.size() - tested);
-    }
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    draw_some(0, tested, true);
+    draw_some(tested, lines_.size() - tested, false);
 }
 
 }  // namespace lanthorn::render

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/line_data.h"
+#include "engine/render/strip_data.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"
