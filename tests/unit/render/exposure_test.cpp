@@ -29,8 +29,8 @@ TEST(Exposure, IsFiniteAtExtremes) {
     EXPECT_NEAR(darkest, -128.26, 0.01);
     EXPECT_NEAR(brightest, 125.74, 0.01);
     EXPECT_EQ(ev100_of_exposure(std::numeric_limits<double>::infinity()), darkest);
-    for (const double none : {0.0, -1.0, -std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double none :
+         {0.0, -1.0, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_EQ(ev100_of_exposure(none), brightest);
     }
 }
