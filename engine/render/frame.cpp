@@ -153,15 +153,28 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         shared_->glow_pass_.draw(shared_->glows_.glows, camera(scene), scene.origin,
                                  composite.radiance_framebuffer(), size());
     }
-    RenderSettings shown = settings;
-    shown.antialias = settings.antialias || upscales();
-    // What indirect light brings as a whole is shown as it is.
+    show(scene, timer, exposed_as);
+}
+
+void FrameRenderer::show(const FrameScene& scene, gpu::PassTimer& timer, const FrameRenderer* exposed_as) {
+    Composite& composite = targets_->composite;
     const CameraUniforms looked = camera(scene);
     const Composite::Fuzzy fuzzy{targets_->gbuffer, looked};
-    const bool rims = indirect.radiance == nullptr && shared_->looks_.have_rims();
-    composite.display(shown, cut_, &timer,
-                      {.fuzzy = rims ? &fuzzy : nullptr,
-                       .exposed = exposed_as != nullptr ? &exposed_as->targets_->composite : nullptr});
+    // What indirect light brings as a whole is shown as it is.
+    const bool rims = settings.rim > 0 && indirect_.radiance == nullptr && shared_->looks_.have_rims();
+    Composite::DisplayInputs over{.fuzzy = rims ? &fuzzy : nullptr};
+    composite.expose(settings, {.reset = cut_, .around = rims});
+    if (exposed_as != nullptr) {
+        composite.expose_as(exposed_as->targets_->composite);
+    }
+    if (settings.bloom_share > 0) {
+        const gpu::PassTimer::Scope bloom(timer, "bloom");
+        over.scattered = &composite.scatter(settings.bloom_spread);
+    }
+    composite.display(settings, over);
+    if (settings.antialias || upscales()) {
+        composite.smooth();
+    }
 }
 
 void FrameRenderer::upscale(const FrameScene& scene, gpu::PassTimer& timer) {

@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/render/radiance_picture.h"
 #include "game/level/title_camera.h"
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/render/composite.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/workbench/flip.h"
 #include "tests/bench/game/level_bench.h"
@@ -65,24 +65,7 @@ ImageF displayed(const std::vector<float>& radiance, const std::vector<float>& c
     settings.exposure_mode = render::ExposureMode::manual;
     settings.exposure_ev100 = static_cast<float>(render::ev100_of_exposure(static_cast<double>(exposure)));
     settings.exposure_compensation = 0;
-    const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
-    render::Composite composite(size, depth);
-    const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
-    std::vector<float> texels;
-    for (std::size_t i = 0; i < width * height; ++i) {
-        const std::size_t at = (height - 1 - i / width) * width + i % width;  // rows from the bottom
-        texels.insert(texels.end(),
-                      {radiance[3 * at], radiance[3 * at + 1], radiance[3 * at + 2], coverage[at]});
-    }
-    glTextureSubImage2D(composite.radiance().id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
-    composite.display(settings, true);
-    const std::vector<float> upwards = composite.final().read_floats(3);
-    ImageF image{size.x, size.y, 3, std::vector<float>(upwards.size()), {}};
-    for (std::size_t i = 0; i < upwards.size(); ++i) {
-        const std::size_t row = i / (3 * width);
-        image.pixels[(height - 1 - row) * 3 * width + i % (3 * width)] = upwards[i];
-    }
-    return image;
+    return render::RadiancePicture(radiance, coverage, size).display(settings);
 }
 
 // The level as it stands. `whole`: as its own camera sees it, not the player.

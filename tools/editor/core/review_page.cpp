@@ -11,7 +11,6 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/gi/gi_plugin.h"
-#include "lanthorn/render/composite.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/editor/core/error_map.h"
 #include "tools/editor/core/review_style.h"

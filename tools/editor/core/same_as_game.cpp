@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lanthorn/gi/gi_plugin.h"
-#include "lanthorn/render/composite.h"
 #include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/shown_scene.h"

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "engine/gpu/memory.h"
+#include "engine/render/radiance_picture.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/render/composite.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::workbench {
@@ -44,34 +44,16 @@ PathAov path_aov(Aov aov) {
     return PathAov::radiance;
 }
 
-// Radiance through the rasteriser's own exposure and tone map: display-encoded, rows from the top.
-std::vector<float> display(const std::vector<float>& radiance, const std::vector<float>& coverage, ivec2 size,
-                           const render::RenderSettings& settings, RenderOutcome& outcome) {
+// Through the rasteriser's own exposure and tone map.
+std::vector<float> displayed(const std::vector<float>& radiance, const std::vector<float>& coverage,
+                             ivec2 size, const render::RenderSettings& settings, RenderOutcome& outcome) {
     const auto context = gpu::create_headless_context();
     outcome.gl = context->info();
     check_picture_fits(size);
-    const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
-    render::Composite composite(size, depth);
-    std::vector<float> texels;
-    texels.reserve(4 * coverage.size());
-    const auto width = static_cast<std::size_t>(size.x);
-    for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
-        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-            texels.insert(texels.end(),
-                          {radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2], coverage[i]});
-        }
-    }
-    glTextureSubImage2D(composite.radiance().id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
-    composite.display(settings, true);
-    const std::vector<float> upwards = composite.final().read_floats(3);
+    render::RadiancePicture picture(radiance, coverage, size);
+    std::vector<float> pixels = picture.display(settings).pixels;
     outcome.gpu_bytes = gpu::allocated_bytes();
-    std::vector<float> result;
-    result.reserve(upwards.size());
-    for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
-        const auto row = upwards.begin() + static_cast<std::ptrdiff_t>(3 * y * width);
-        result.insert(result.end(), row, row + static_cast<std::ptrdiff_t>(3 * width));
-    }
-    return result;
+    return pixels;
 }
 
 void save(const PathTracer& tracer, const std::string& checkpoint, RenderOutcome& outcome) {
@@ -138,7 +120,8 @@ void take_pictures(const PathTracer& tracer, const Settings& settings, const Ren
         const PathAov from = path_aov(aov);
         std::vector<float> pixels = tracer.image(from);
         if (aov == Aov::final) {
-            pixels = display(pixels, tracer.coverage(), job.size, render::render_settings(settings), outcome);
+            pixels =
+                displayed(pixels, tracer.coverage(), job.size, render::render_settings(settings), outcome);
         }
         ImageF& image = outcome.images.emplace_back(
             ImageF{job.size.x, job.size.y, from == PathAov::depth ? 1 : 3, std::move(pixels), {}});

@@ -1,4 +1,5 @@
-// Adds the parts of light up, exposes, tone maps and encodes for display.
+// Adds the parts of light up, exposes, tone maps and encodes for display: stages in the order in which they
+// stand here, each of which is given what it reads besides the picture so far.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +7,6 @@
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
-#include "lanthorn/gpu/pass_timer.h"
-#include "lanthorn/gpu/program.h"
-#include "lanthorn/gpu/program_variants.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
@@ -17,9 +15,6 @@
 #include "lanthorn/render/sky_texture.h"
 
 namespace lanthorn::render {
-
-class Bloom;
-class Fxaa;
 
 class Composite {
   public:
@@ -40,26 +35,37 @@ class Composite {
                  const CameraUniforms& camera, PixelStage stage = PixelStage::fragment);
     // The radiance is that of a texture of the same size and format.
     void take(const gpu::Texture& radiance);
+    // What the picture is exposed for.
+    struct Metering {
+        bool reset = false;   // at once (first frame, cut) instead of gliding towards it
+        bool around = false;  // the light around what it shows is measured as well, for Fuzzy
+    };
+    // The exposure that suits the radiance, or that `settings` ask for. O(1): a grid of points.
+    void expose(const RenderSettings& settings, const Metering& metering);
+    // The exposure of another picture, which has been exposed; after expose().
+    void expose_as(const Composite& other);
+    // The radiance spread over what is around, for DisplayInputs: RGBA32F, a texel for 4 x 4 pixels, until
+    // the next call. `spread`: RenderSettings::bloom_spread. O(pixels).
+    const gpu::Texture& scatter(float spread);
+
     // What the picture shows, where something of it has render.rim's fuzz.
     struct Fuzzy {
         const GBuffer& gbuffer;
         const CameraUniforms& camera;
     };
-    // How display() differs from that of a picture by itself.
-    struct Shown {
-        const Fuzzy* fuzzy;        // null: nothing has fuzz
-        const Composite* exposed;  // with its exposure: it has been displayed; null: with what suits this one
+    // What is laid over the radiance as it is displayed; null: nothing.
+    struct DisplayInputs {
+        const gpu::Texture* scattered = nullptr;  // of scatter(): RenderSettings::bloom_share of the light
+        const Fuzzy* fuzzy = nullptr;             // RenderSettings::rim; exposed with Metering::around
     };
-    // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
-    // settings say so; radiance() stays as it was.
-    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    // The scattering is timed as [bloom] where there is a timer.
-    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr,
-                 const Shown& as = {});
+    // Exposure, tone map and sRGB of the radiance into final(); radiance() stays as it was. O(pixels).
+    void display(const RenderSettings& settings, const DisplayInputs& inputs);
+    // Smooths edges in final(). O(pixels).
+    void smooth();
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
-    const gpu::Texture& unsmoothed() const;                     // the same before edges were smoothed
+    const gpu::Texture& unsmoothed() const;                     // the same before smooth()
     // Draws into radiance().
     const gpu::Framebuffer& radiance_framebuffer() const { return radiance_framebuffer_; }
     const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }  // draws into final()
@@ -68,8 +74,7 @@ class Composite {
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
 
   private:
-    // `around`: what rims need is measured as well.
-    void expose(const RenderSettings& settings, bool reset, bool around);
+    struct Stages;
 
     ivec2 size_;
     gpu::Texture radiance_;
@@ -78,14 +83,8 @@ class Composite {
     gpu::Framebuffer final_framebuffer_;
     gpu::Buffer state_;  // composite_state.glsl
     BrdfTable brdf_table_;
-    gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
-    gpu::ProgramVariants compute_combine_{{"engine/render/combine.comp"}};
-    gpu::ProgramVariants expose_{{"engine/render/expose.comp"}};
-    gpu::ProgramVariants display_{{"engine/render/fullscreen.vert", "engine/render/display.frag"}};
-    gpu::ProgramVariants compute_display_{{"engine/render/display.comp"}};
-    std::unique_ptr<Bloom> bloom_;  // these once asked for
-    std::unique_ptr<Fxaa> fxaa_;
-    bool smoothed_ = false;  // by the last display()
+    std::unique_ptr<Stages> stages_;
+    bool smoothed_ = false;  // since display()
 };
 
 }  // namespace lanthorn::render

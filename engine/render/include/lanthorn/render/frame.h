@@ -156,6 +156,8 @@ class FrameRenderer {
     IndirectLight indirect_;
 
     void draw_blended_surfaces(const CameraUniforms& camera);
+    // What compose() ends with: from the radiance to the picture.
+    void show(const FrameScene& scene, gpu::PassTimer& timer, const FrameRenderer* exposed_as);
     CameraUniforms camera(const FrameScene& scene) const;
     CameraUniforms through_middles(const FrameScene& scene) const;
     bool upscales() const;
