@@ -1,6 +1,5 @@
 #include "engine/animation/declare_components.h"
 
-#include "engine/animation/start_clip.h"
 #include "lanthorn/animation/animation_player.h"
 
 namespace lanthorn {

@@ -1,4 +1,4 @@
-// The components of what plays (animation_player.h, start_clip.h), declared.
+// The components of what plays (animation_player.h), declared.
 #pragma once
 
 #include "lanthorn/ecs/registry.h"

@@ -6,11 +6,11 @@
 
 #include "engine/deformation/mesh_jobs.h"
 #include "engine/deformation/serials.h"
+#include "engine/scene/described.h"
 #include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/parallel.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/described.h"
 
 namespace lanthorn {
 namespace {

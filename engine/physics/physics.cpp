@@ -9,9 +9,9 @@
 #include "engine/physics/declare_components.h"
 #include "engine/physics/physics_state.h"
 #include "engine/scene/declare_components.h"
+#include "engine/scene/described.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
-#include "lanthorn/scene/described.h"
 
 namespace lanthorn::physics {
 

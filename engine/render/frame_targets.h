@@ -7,12 +7,12 @@
 
 #include "engine/render/air.h"
 #include "engine/render/direct.h"
-#include "engine/render/looks.h"
 #include "engine/render/upscaler.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/render/composite.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/gbuffer.h"
+#include "lanthorn/render/picture_only.h"
 
 namespace lanthorn::render {
 

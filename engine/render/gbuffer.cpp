@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/render/looks.h"
 #include "engine/render/scene_textures.h"
+#include "lanthorn/render/picture_only.h"
 
 namespace lanthorn::render {
 

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/glows.h"
 #include "engine/render/strip_data.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/camera_uniforms.h"
+#include "lanthorn/render/picture_only.h"
 
 namespace lanthorn::render {
 

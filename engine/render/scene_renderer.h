@@ -9,12 +9,12 @@
 #include "engine/render/blend.h"
 #include "engine/render/glow_pass.h"
 #include "engine/render/line_pass.h"
-#include "engine/render/looks.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/emissive.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/gpu_scene.h"
 #include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/picture_only.h"
 #include "lanthorn/render/sky_texture.h"
 
 namespace lanthorn::render {

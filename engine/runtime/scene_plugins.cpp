@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/animation/start_clip.h"
 #include "engine/runtime/animation_plugin.h"
 #include "engine/runtime/physics_plugin.h"
 #include "lanthorn/animation/animation_player.h"

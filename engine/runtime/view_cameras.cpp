@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "engine/core/finite.h"
+#include "engine/scene/described.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/described.h"
 #include "lanthorn/scene/view.h"
 
 namespace lanthorn {

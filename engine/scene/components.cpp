@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "engine/scene/described.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/asset_store.h"
-#include "lanthorn/scene/described.h"
 
 namespace lanthorn {
 namespace {

@@ -1,4 +1,4 @@
-#include "lanthorn/scene/described.h"
+#include "engine/scene/described.h"
 
 #include "lanthorn/scene/components.h"
 

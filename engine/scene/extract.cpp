@@ -10,11 +10,11 @@
 
 #include "engine/core/finite.h"
 #include "engine/scene/clear_sky.h"
+#include "engine/scene/described.h"
 #include "engine/scene/scene_changes.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
-#include "lanthorn/scene/described.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/view.h"
 

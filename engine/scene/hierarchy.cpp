@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "lanthorn/scene/described.h"
+#include "engine/scene/described.h"
 
 namespace lanthorn {
 namespace {

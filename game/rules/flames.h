@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "engine/render/glows.h"
 #include "lanthorn/core/math.h"
+#include "lanthorn/render/picture_only.h"
 #include "lanthorn/scene/light.h"
 
 namespace lanthorn::ecs {

@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "engine/render/looks.h"
 #include "lanthorn/ecs/entity.h"
+#include "lanthorn/render/picture_only.h"
 
 namespace lanthorn::game {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/animation/start_clip.h"
+#include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/components.h"

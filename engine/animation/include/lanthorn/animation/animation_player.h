@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -74,6 +75,12 @@ struct AnimationPlayer {
     bool by_clock =
         false;  // the first layer's time is the clock's: it is at any moment what a film of it would be
     PlayerBinding binding;
+};
+
+// A file's word on which of its clips plays where nobody asks for one: the component, on any node of a scene.
+// The first one counts.
+struct StartClip {
+    std::string clip;  // by its name; "none": nothing plays; empty: as if there were no such component
 };
 
 // The first clip of that name.

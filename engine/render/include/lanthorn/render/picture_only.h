@@ -1,12 +1,29 @@
-// How single things look in pictures alone: no light, map, ray or sensor knows of it.
+// What pictures alone show: flames, and how single things look. No light, map, ray or sensor knows of it.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "lanthorn/core/math.h"
+
 namespace lanthorn::render {
 
+// A flame that shines in pictures: no light comes from it, and nothing sees it but cameras.
+struct Glow {
+    dvec3 foot{0}, tip{0};  // world space, metres; where they are one it is left out
+    float width = 0.04f;    // metres, where it is widest; 0 or less: it is left out
+    vec3 nits{0};           // at its brightest; what is behind it shows through at its foot and rim alone
+    bool operator==(const Glow&) const = default;
+};
+
+// As a resource of an App they are drawn in every view, until the program alters them. O(pixels that they
+// cover).
+struct Glows {
+    std::vector<Glow> glows;
+};
+
+// How a thing looks.
 struct Look {
     std::uint32_t id = 0;  // Instance::id
     float shown = 1;       // share of its pixels that cameras see, 0..1; the others show what is behind it
@@ -24,7 +41,7 @@ struct Looks {
         const auto found = std::ranges::lower_bound(looks, id, {}, &Look::id);
         return found != looks.end() && found->id == id ? &*found : nullptr;
     }
-    bool have_rims() const { return std::ranges::any_of(looks, &Look::rim); }
+    bool have_rims() const { return std::ranges::any_of(looks, &Look::rim); }  // any of them; O(looks)
     bool operator==(const Looks&) const = default;
 };
 
