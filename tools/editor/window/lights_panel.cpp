@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/editor/window/elide.h"
 #include "tools/editor/window/lines.h"
 #include "tools/editor/window/panels.h"
 #include "tools/editor/window/quantity.h"
@@ -16,6 +17,10 @@ namespace lanthorn::edit_window {
 using editor::LightRow;
 
 namespace {
+
+float text_width(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
 
 // A square letter that is on or off.
 bool toggle(const char* letter, bool on, ImU32 shade, float size) {
@@ -123,7 +128,7 @@ struct Column {
     float units;
     int rank;
 };
-constexpr std::array<Column, 9> kColumns = {{{"name", 92, 0},
+constexpr std::array<Column, 9> kColumns = {{{"name", 112, 0},
                                              {"cd", 58, 1},
                                              {"lm", 62, 5},
                                              {"lx at 1 m", 68, 6},
@@ -204,13 +209,17 @@ void draw_lights_table(EditorState& state) {
         if (off) {
             ImGui::PushStyleColor(ImGuiCol_Text, colour::faint);
         }
-        const std::string name = row.node == kNone ? row.name + " (guest)" : row.name;
+        const std::string whole = row.node == kNone ? row.name + " (guest)" : row.name;
+        const std::string name = elided(whole, ImGui::GetContentRegionAvail().x, text_width);
         ImGui::AlignTextToFramePadding();
         const ImVec2 text(ImGui::GetCursorScreenPos().x,
                           ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
-        if (ImGui::Selectable(name.c_str(), state.selected(row.node), ImGuiSelectableFlags_AllowItemOverlap,
-                              {0, size}) &&
-            row.node != kNone) {
+        const bool clicked = ImGui::Selectable((name + "##name").c_str(), state.selected(row.node),
+                                               ImGuiSelectableFlags_AllowItemOverlap, {0, size});
+        if (name != whole && ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", whole.c_str());
+        }
+        if (clicked && row.node != kNone) {
             std::vector<std::uint32_t> chosen =
                 ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
             std::erase(chosen, row.node);

@@ -108,6 +108,7 @@ class Viewport {
     void draw_wishes_places();
     void draw_error();
     void draw_compared();
+    void draw_divider();
     void draw_compare_popup();
     std::string other_words(bool sized) const;  // A's badge
     bool over_divider(const vec2& pixel) const;

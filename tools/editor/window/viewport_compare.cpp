@@ -84,7 +84,7 @@ void Viewport::draw_compared() {
         return;
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float u = state_.unit, x = box.x + state_.divider * box.width;
+    const float x = box.x + state_.divider * box.width;
     const KeptPicture* kept = state_.kept_picture();
     if (const GLuint texture = kept != nullptr ? kept->texture.id() : state_.picture.other_texture();
         texture != 0) {
@@ -93,6 +93,15 @@ void Viewport::draw_compared() {
     } else {
         list.AddRectFilled({box.x, box.y}, {x, box.y + box.height}, IM_COL32(0, 0, 0, 120));
     }
+}
+
+void Viewport::draw_divider() {
+    const Box& box = state_.layout.picture;
+    if (!state_.other_side) {
+        return;
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float u = state_.unit, x = box.x + state_.divider * box.width;
     list.AddRectFilled({x - 2 * u, box.y}, {x + 2 * u, box.y + box.height}, IM_COL32(0, 0, 0, 160));
     list.AddRectFilled({x - 0.5f * u, box.y}, {x + 0.5f * u, box.y + box.height}, colour::words);
     const vec2 middle(x, box.y + box.height / 2);

@@ -73,6 +73,7 @@ void Viewport::draw(double now) {
             place_handles();
             draw_handles();
         }
+        draw_divider();  // its letters over what stands there
         draw_why_ways();
         draw_beside_ghosts();
         draw_wishes_places();
