@@ -65,6 +65,27 @@ TEST(Pace, ChangesSizeOnceInAGestureAtMost) {
     EXPECT_LT(before, 1);
 }
 
+TEST(Pace, AnotherGestureBeginsWithTheSizeThatTheLastOneNeeded) {
+    Pace pace;
+    rest(pace, 1, 60, 3);  // what holds is kept
+    const auto gesture = [&](double from) {
+        pace.hold(true, from);
+        pace.changed(from, true);
+        const double scale = pace.scale(from);
+        for (int i = 0; i < 20; ++i) {
+            pace.changed(from + 0.1 * i, true);
+            const double now = pace.scale(from + 0.1 * i);
+            pace.drew(Quality::drag, now, 400 * (0.35 + 0.65 * now * now), 1);
+        }
+        pace.hold(false, from + 2);
+        rest(pace, from + 3, 60, 3);
+        return scale;
+    };
+    EXPECT_GT(gesture(2), 0.8);
+    EXPECT_EQ(gesture(10), 0.25);
+    EXPECT_EQ(gesture(20), 0.25);
+}
+
 TEST(Pace, AHandThatHoldsStillIsNotDrawnForEver) {
     Pace pace;
     pace.hold(true, 1);

@@ -164,6 +164,8 @@ bool EditorWindow::turn() {
             s.draw_panels(false);
             s.window.context().swap_buffers();
         }
+        const double hand_at = e.pace.due() ? std::exchange(s.hand_at, 0) : 0;
+        const int pictures = e.picture.frames();
         if (e.pace.due()) {
             s.draw_picture();
         } else if (s.refines_now()) {
@@ -172,6 +174,9 @@ bool EditorWindow::turn() {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, size.x, size.y);
         s.draw_panels(false);
+        if (hand_at > 0 && e.picture.frames() > pictures) {
+            s.report.followed(1000 * (s.now() - hand_at));
+        }
         const bool more = e.cards.next_turn();
         e.other_pictures += more ? 1 : 0;
         s.settling = std::max(more ? 1 : 0, s.settling - 1);

@@ -11,6 +11,9 @@ namespace {
 constexpr std::array kScales = {1.0, 0.87, 0.75, 0.65, 0.56, 0.48, 0.42, 0.36, 0.3, 0.25};
 // Of a frame's time, what no smaller picture spares: maps, photons, shadows. A first guess.
 constexpr double kFixed = 0.35;
+// Times the milliseconds of a frame at rest, which keeps what holds: a guess, before any under a hand.
+constexpr double kLightMoves = 1.5;
+constexpr double kNewest = 0.25;    // share of the newest frame in what is known of a hand's
 constexpr std::size_t kEnough = 3;  // frames that tell that a scale is wrong
 constexpr double kWrong = 1.4;      // times the budget
 
@@ -57,7 +60,7 @@ void Pace::hold(bool held, double now) {
 }
 
 void Pace::forget() {
-    whole_ms_ = 0;
+    whole_ms_ = hand_ms_ = 0;
     drag_scale_ = 1;
     changed(changed_at_, false);
 }
@@ -65,9 +68,10 @@ void Pace::forget() {
 void Pace::choose_scale() {
     gesture_.clear();
     changes_ = 0;
-    if (whole_ms_ > 0) {
+    const double whole = hand_ms_ > 0 ? hand_ms_ : kLightMoves * whole_ms_;
+    if (whole > 0) {
         const auto fits =
-            std::ranges::find_if(kScales, [&](double scale) { return whole_ms_ * share(scale) <= kDragMs; });
+            std::ranges::find_if(kScales, [&](double scale) { return whole * share(scale) <= kDragMs; });
         drag_scale_ = fits == kScales.end() ? kScales.back() : *fits;
     }
 }
@@ -84,7 +88,12 @@ void Pace::drew(Quality quality, double scale, double ms, double changed) {
     const bool first = scale != drawn_scale_;
     drawn_scale_ = scale;
     if (!first && ms > 0) {
-        whole_ms_ = ms / share(scale);
+        const double whole = ms / share(scale);
+        if (quality != Quality::drag) {
+            whole_ms_ = whole;
+        } else {
+            hand_ms_ = hand_ms_ > 0 ? hand_ms_ + kNewest * (whole - hand_ms_) : whole;
+        }
     }
     if (quality != Quality::drag) {
         ++rested_;

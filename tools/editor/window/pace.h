@@ -54,7 +54,9 @@ class Pace {
     int in_hand_ = 0;  // frames since the last change, of a hand
     bool still_ = false;
     double drag_scale_ = 1;
-    double whole_ms_ = 0;          // what a frame of the whole size takes, by the newest; 0: not known
+    // What a frame of the whole size takes: at rest, by the newest, and under a hand, where light moves, by
+    // the newest few, of the gestures before as well. 0: not known.
+    double whole_ms_ = 0, hand_ms_ = 0;
     double drawn_scale_ = 0;       // of the frame before
     std::vector<double> gesture_;  // milliseconds of the frames at one scale since the hand began
     int changes_ = 0;              // of the scale in this gesture

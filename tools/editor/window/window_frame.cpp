@@ -10,6 +10,7 @@
 #include "lanthorn/scene/components.h"
 #include "tools/editor/core/review_page.h"
 #include "tools/editor/core/same_as_game.h"
+#include "tools/editor/window/drag_quality.h"
 #include "tools/editor/window/window_state.h"
 
 namespace lanthorn::edit_window {
@@ -19,8 +20,6 @@ namespace {
 // Seconds between panels drawn in a 3D frame for a pointer that moved; for one that drags something, which
 // shows with the next frame alone.
 constexpr double kMovesEvery = 0.03, kDraggedEvery = 0.15;
-constexpr int kEstimateEvery = 4;                // pictures under a hand of which one has its error estimated
-constexpr int kFewestTexels = 96;                // a side of a lamp's map under a hand
 constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
 
 // OpenGL's state that Dear ImGui's drawing expects and does not keep: for panels that are drawn between two
@@ -73,15 +72,10 @@ Settings EditorWindow::State::shown_settings(const Settings& chosen) {
     if (e.refines && Refinement::possible(shown)) {
         Refinement::prepare(shown);
     }
-    if (coarse_light) {
-        const int texels = shown.get<int>("render.shadow.resolution");
-        shown.set("render.shadow.resolution", std::min(texels, std::max(kFewestTexels, texels / 2)));
-    }
-    return shown;
+    return coarse_light ? drag_settings(shown) : shown;
 }
 
-// While a hand edits the scene, maps of lamps have half the texels a side: of a lamp's frame they take the
-// most on a CPU, and no smaller picture spares them.
+// While a hand edits the scene, what no smaller picture spares is coarser.
 void EditorWindow::State::follow_hand(Quality quality) {
     const bool coarse =
         window.info().software && quality == Quality::drag && (editor->desk.gesture() || coarse_light);
@@ -286,7 +280,8 @@ void EditorWindow::State::draw_picture() {
     const double scale = e.pace.scale(at);
     const glm::dvec2 whole = whole_size();
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
-    const double shows_hand = std::exchange(hand_at, 0);
+    const ivec2 rests = glm::max(ivec2(glm::round(whole)), 16);
+    const bool dragged = window.info().software && quality == Quality::drag;
     follow_hand(quality);
     e.refinement.forget();
     resumed = false;
@@ -296,7 +291,7 @@ void EditorWindow::State::draw_picture() {
     try {
         // A is frozen while the hand moves: the hand has the time that it would take.
         const double changed =
-            e.picture.draw(session.app(), size, glm::max(ivec2(glm::round(whole)), 16),
+            e.picture.draw(session.app(), size, dragged ? drag_whole(size, rests) : rests,
                            quality == Quality::drag ? std::nullopt : other_view, [this] { breathe(); });
         PictureFacts& facts = e.picture.facts();
         facts.changed = changed;
@@ -316,9 +311,11 @@ void EditorWindow::State::draw_picture() {
             other.preset = e.other_side->as->preset;
         }
         viewport->picture_drawn();
-        if (!e.pace.due() || e.picture.frames() % kEstimateEvery == 0) {
+        if (e.pace.due()) {
+            e.estimate.reset();
+        } else {
             const gi::ErrorEstimate estimate = estimate_error();
-            if (!e.pace.due() && e.refines && Refinement::possible(e.settings)) {
+            if (e.refines && Refinement::possible(e.settings)) {
                 e.refinement.begin(estimate.known ? std::optional(estimate.relrmse.value) : std::nullopt,
                                    e.settings);
             }
@@ -328,9 +325,6 @@ void EditorWindow::State::draw_picture() {
             if (e.why && e.why->version != session.version() && e.why->pose == session.pose()) {
                 ask_why(e.why->place);  // the same place after an edit
             }
-        }
-        if (shows_hand > 0) {
-            report.followed(1000 * (now() - shows_hand));
         }
     } catch (const Error& error) {
         e.problem = error.what();
