@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "engine/gpu/pass_end.h"
 #include "engine/render/bloom.h"
 #include "engine/render/combine_pass.h"
 #include "engine/render/composite_state.h"
@@ -68,6 +69,7 @@ void Composite::display(const RenderSettings& settings, const DisplayInputs& inp
 }
 
 void Composite::smooth() {
+    gpu::PassEnd::tell();
     std::optional<Fxaa>& fxaa = stages_->smooth;
     if (!fxaa) {
         fxaa.emplace(size_);

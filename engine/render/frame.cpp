@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/gpu/pass_end.h"
 #include "engine/render/frame_targets.h"
 #include "engine/render/scene_renderer.h"
 
@@ -133,6 +134,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         composite.combine(targets_->gbuffer,
                           {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
                           shared_->sky_, camera(scene), settings.pixel_stage);
+        gpu::PassEnd::tell();
         const BlendPass::Light light{indirect.irradiance, &targets_->gbuffer.distance(),
                                      indirect.blended_irradiance,
                                      targets_->blended ? &targets_->blended->distance() : nullptr};

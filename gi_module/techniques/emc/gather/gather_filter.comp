@@ -14,6 +14,7 @@ uniform samplerBuffer points;
 uniform samplerBuffer irradiance;  // lux; a < 0: nothing is known
 uniform samplerBuffer guide;  // mean luminance of rays and its mean square
 uniform ivec2 grid;
+uniform int first_item;
 uniform usamplerBuffer cuts;  // links that a wall stands in
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
@@ -21,7 +22,7 @@ uniform float least_sigma;
 uniform float share;  // of this level in what it gives; the rest is as it was
 
 void main() {
-    int i = int(work_item());
+    int i = first_item + int(work_item());
     if (i >= grid.x * grid.y) return;
     ivec2 p = ivec2(i % grid.x, i / grid.x);
     vec4 point = texelFetch(points, i);

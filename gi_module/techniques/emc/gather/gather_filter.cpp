@@ -1,8 +1,6 @@
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 
-#include "engine/gpu/pass_end.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
-#include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
 
@@ -57,9 +55,7 @@ const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
         program.set("before", 2);
         program.set("level", level);
         guides_[level].bind_storage(4);
-        dispatch_items(count_);
-        wait_for_shaders();
-        gpu::PassEnd::tell();
+        dispatch_in_parts(program, count_);
     }
     return levels(points, points.irradiance, filtered_);
 }
@@ -84,9 +80,7 @@ const gpu::Buffer& GatherFilter::levels(const Points& points, const gpu::Buffer&
         filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow_));
         filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow_);
         filtered[level % 2].bind_storage(4);
-        dispatch_items(count_);
-        wait_for_shaders();
-        gpu::PassEnd::tell();
+        dispatch_in_parts(filter_program_, count_);
         from = &filtered[level % 2];
     }
     return *from;

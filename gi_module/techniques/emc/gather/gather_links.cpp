@@ -1,5 +1,6 @@
 #include "gi_module/techniques/emc/gather/gather_links.h"
 
+#include "engine/gpu/pass_end.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 #include "lanthorn/gi/passes.h"
 
@@ -35,12 +36,14 @@ void GatherLinks::find(const render::FrameInputs& inputs, const EnvironmentMaps&
     unseen_.bind_storage(7);
     dispatch_items(count_);
     wait_for_shaders();
+    gpu::PassEnd::tell();
     use(all_maps_);
     inputs.camera.set(all_maps_);
     maps.bind(all_maps_, 0, 1, settings, inputs.scene);
     unseen_.bind_storage(6);
     unseen_.dispatch();
     wait_for_shaders();
+    gpu::PassEnd::tell();
     static_assert(kLevels % 2 == 0, "cuts() are those of the last level");
     for (int level = 0; level < kLevels; ++level) {
         const gpu::Program& program = level == 0 ? first_level_ : next_level_;
@@ -54,6 +57,7 @@ void GatherLinks::find(const render::FrameInputs& inputs, const EnvironmentMaps&
         walls_.bind_storage(5);
         dispatch_items(count_);
         wait_for_shaders();
+        gpu::PassEnd::tell();
     }
 }
 

@@ -17,12 +17,13 @@ uniform samplerBuffer irradiance;  // lux; a: mean square, < 0: nothing is known
 uniform samplerBuffer before;
 #endif
 uniform ivec2 grid;
+uniform int first_item;
 uniform usamplerBuffer cuts;   // links that a wall stands in
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
 
 void main() {
-    int i = int(work_item());
+    int i = first_item + int(work_item());
     if (i >= grid.x * grid.y) return;
     ivec2 p = ivec2(i % grid.x, i / grid.x);
     vec4 point = texelFetch(points, i);

@@ -81,6 +81,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays)
     known_.bind_storage(6);
     dispatch_items(size.x * size.y);
     wait_for_shaders();
+    gpu::PassEnd::tell();
     links_.find(inputs, rays.maps, rays.settings, surfaces_, size);
 }
 

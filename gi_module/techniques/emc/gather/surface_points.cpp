@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/gpu/pass_end.h"
+#include "lanthorn/gi/passes.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -10,6 +13,7 @@ namespace {
 // A software rasteriser takes a few microseconds a group.
 constexpr std::uint32_t kGroup = 256;
 constexpr std::uint32_t kRow = 16384;  // work_items.glsl
+constexpr int kItemsAtOnce = 1 << 16;  // between two answers to a window's user; a multiple of kGroup
 
 struct Header {
     std::uint32_t count = 0;
@@ -85,6 +89,16 @@ void dispatch_items(int count) {
     std::uint32_t groups[3] = {0, 1, 1};
     set_groups(groups, static_cast<std::uint32_t>(count));
     glDispatchCompute(groups[0], groups[1], 1);
+}
+
+void dispatch_in_parts(const gpu::Program& program, int count) {
+    const int some = gpu::PassEnd::is_heard() ? kItemsAtOnce : std::max(count, 1);
+    for (int first = 0; first < count; first += some) {
+        program.set("first_item", first);
+        dispatch_items(std::min(some, count - first));
+        wait_for_shaders();
+        gpu::PassEnd::tell();
+    }
 }
 
 void dispatch_rows(int keys, int rows) {
