@@ -20,6 +20,8 @@ namespace {
 // Seconds between panels drawn in a 3D frame for a pointer that moved; for one that drags something, which
 // shows with the next frame alone.
 constexpr double kMovesEvery = 0.03, kDraggedEvery = 0.15;
+// And as many times what the panels took: in a window of 4K pixels they would take more than the picture.
+constexpr double kTimesPanels = 4;
 constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
 
 // OpenGL's state that Dear ImGui's drawing expects and does not keep: for panels that are drawn between two
@@ -337,7 +339,9 @@ void EditorWindow::State::draw_picture() {
 // In the middle of a frame, between two passes: answers what has happened over the picture before.
 void EditorWindow::State::breathe() {
     glfwPollEvents();
-    const bool moved = input.dirty() && now() - last_ui > (viewport->gesture() ? kDraggedEvery : kMovesEvery);
+    const double every = std::max(viewport->gesture() ? kDraggedEvery : kMovesEvery,
+                                  kTimesPanels * 1e-3 * editor->figures.ui_ms);
+    const bool moved = input.dirty() && now() - last_ui > every;
     if (!input.urgent() && !moved) {
         return;
     }

@@ -18,8 +18,8 @@ namespace {
 // many; a remembered ray that does is seen for 16 frames.
 constexpr int kStepsOfRays = 3;
 
-// Exact rays that are traced before a window may answer: some 20 ms of two cores in a large scene.
-constexpr std::size_t kAtOnce = 1u << 15;
+// Exact rays that are traced before a window may answer: some 10 ms of two cores in a large scene.
+constexpr std::size_t kAtOnce = 1u << 14;
 
 // One invocation for each of them, of the program in use.
 void dispatch_listed(const EntryList& list) {

@@ -13,7 +13,7 @@ namespace {
 // A software rasteriser takes a few microseconds a group.
 constexpr std::uint32_t kGroup = 256;
 constexpr std::uint32_t kRow = 16384;  // work_items.glsl
-constexpr int kItemsAtOnce = 1 << 16;  // between two answers to a window's user; a multiple of kGroup
+constexpr int kItemsAtOnce = 1 << 15;  // between two answers to a window's user; a multiple of kGroup
 
 struct Header {
     std::uint32_t count = 0;

@@ -44,7 +44,7 @@ class SurfacePoints {
 
 // One invocation, in groups of 256, for each of `count` items: work_items.glsl's work_item().
 void dispatch_items(int count);
-// The same of a program whose items begin at its uniform `first_item`: in parts of some 5 ms of two cores,
+// The same of a program whose items begin at its uniform `first_item`: in parts of some 3 ms of two cores,
 // between which a window may answer (PassEnd), where somebody is told.
 void dispatch_in_parts(const gpu::Program& program, int count);
 // The same for each of `keys` in each of `rows`: x and y of gl_GlobalInvocationID.
