@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/scene/emissive_pieces.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/scene/diffuse_reflectance.h"
 
@@ -47,9 +48,7 @@ Piece piece_of(const FrameScene& scene, const Instance& instance) {
     piece.radius = instance.bounds.empty() ? 0.0f : 0.5f * instance.bounds.diagonal();
     piece.area = box_area(instance.bounds);
     piece.albedo = material.unlit ? 0.0f : albedo_of(material);
-    if (material.emits() && material.alpha_mode != AlphaMode::blend) {
-        piece.power = kPi * piece.area * luminance(material.emissive);
-    }
+    piece.power = kPi * piece.area * luminance(emitted(material));
     return piece;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/scene/emissive_pieces.h"
 #include "gi_module/carried_light.h"
 
 namespace lanthorn::gi {
@@ -36,8 +37,7 @@ bool any_lamp(const FrameScene& scene) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
     });
     return punctual || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-               const Material& m = scene.material(instance);
-               return m.emits() && m.alpha_mode != AlphaMode::blend;
+               return gives_light(scene.material(instance));
            });
 }
 

@@ -13,11 +13,6 @@ namespace lanthorn::render {
 
 namespace {
 
-// Blended surfaces take no part in the lighting of others.
-bool gives_light(const Material& material) {
-    return material.emits() && material.alpha_mode != AlphaMode::blend;
-}
-
 using Corners = std::array<vec3, 3>;
 
 Corners wound(const Corners& p, bool mirrored) {
@@ -75,13 +70,14 @@ void EmissiveTriangles::update(const FrameScene& scene) {
 
 const EmissivePieces* EmissiveTriangles::pieces_of(const SceneAssets& assets, std::uint32_t mesh) {
     const std::uint32_t material = assets.meshes[mesh].material;
-    if (!assets.materials[material].emissive_texture.present()) {
+    if (!glows_in_pieces(assets.materials[material])) {
         return nullptr;
     }
     pieces_.resize(std::max(pieces_.size(), assets.meshes.size()));
     Pieces& kept = pieces_[mesh];
+    const AssetVersion<Material>& version = assets.materials.version(material);
     const Pieces now{serial_, assets.meshes.version(mesh).any, material,
-                     assets.materials.version(material).emission, nullptr};
+                     std::max(version.emission, version.surface), nullptr};
     if (kept.serial != now.serial || kept.mesh != now.mesh || kept.material != now.material ||
         kept.emission != now.emission) {
         kept = now;
@@ -104,7 +100,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
             continue;
         }
         const bool both_sides = assets.materials[mesh.material].double_sided;
-        const vec3 nits = assets.materials[mesh.material].emissive;
+        const vec3 nits = emitted(assets.materials[mesh.material]);
         const bool refined = shape.deformed() != nullptr && shape.deformed()->refined != nullptr;
         const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
         // Subdivision makes triangles of its own, which have the mean of what the mesh's have.

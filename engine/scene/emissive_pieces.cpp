@@ -13,26 +13,66 @@ namespace {
 constexpr std::size_t kMostPieces = std::size_t{1} << 14;  // of a mesh
 constexpr int kMostHalvings = 12;
 constexpr int kLeastLooksASide = 4, kMostLooksASide = 8;  // so many squared, looks at the texture a piece
-constexpr float kEven = 0.1f;                             // of the texture's brightest texel
+constexpr float kEven = 0.1f;                             // of the brightest there is
+constexpr double kTexelsOfColours = 256;                  // that alphas of vertices are worth
 
 using Corners = std::array<vec3, 3>;
 
-// What a triangle shows of the texture.
-class Shown {
+// What a triangle shows of a texture.
+class Layer {
   public:
-    Shown(const SceneAssets& assets, const TextureRef& ref, const std::array<vec2, 3>& uv)
-        : assets_(assets), texture_(assets.textures[ref.texture]) {
+    Layer() = default;
+    Layer(const SceneAssets& assets, const TextureRef& ref, const std::array<const Vertex*, 3>& corners)
+        : assets_(&assets), texture_(&assets.textures[ref.texture]) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const vec3 at(uv[k], 1);
+            const vec3 at(ref.uv_set == 0 ? corners[k]->uv0 : corners[k]->uv1, 1);
             uv_[k] = {glm::dot(ref.uv_transform[0], at), glm::dot(ref.uv_transform[1], at)};
         }
-        const Image& image = assets.images[texture_.image];
+    }
+
+    bool present() const { return texture_ != nullptr; }
+    double texels() const {  // 1 or more
+        const Image& image = assets_->images[texture_->image];
         const vec2 a = uv_[1] - uv_[0], b = uv_[2] - uv_[0];
         const double texels = 0.5 *
                               std::abs(static_cast<double>(a.x) * static_cast<double>(b.y) -
                                        static_cast<double>(a.y) * static_cast<double>(b.x)) *
                               image.width * image.height;
-        texels_ = std::isfinite(texels) ? std::max(texels, 1.0) : 1.0;
+        return std::isfinite(texels) ? std::max(texels, 1.0) : 1.0;
+    }
+    vec4 look(const vec3& barycentric) const {
+        const vec2 at = uv_[0] * barycentric.x + uv_[1] * barycentric.y + uv_[2] * barycentric.z;
+        return sample_texture(*assets_, *texture_, at, true);
+    }
+
+  private:
+    const SceneAssets* assets_ = nullptr;
+    const Texture* texture_ = nullptr;  // null: the material has none
+    std::array<vec2, 3> uv_;
+};
+
+// What of its material's emission a triangle shows.
+class Shown {
+  public:
+    Shown(const SceneAssets& assets, const Material& material, const std::array<const Vertex*, 3>& corners)
+        : material_(material) {
+        if (material.emissive_texture.present()) {
+            emission_ = Layer(assets, material.emissive_texture, corners);
+            texels_ = emission_.texels();
+        }
+        if (material.alpha_mode == AlphaMode::opaque) {
+            return;
+        }
+        if (material.base_colour_texture.present()) {
+            base_ = Layer(assets, material.base_colour_texture, corners);
+            texels_ = std::max(texels_, base_.texels());
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            alphas_[static_cast<int>(k)] = corners[k]->colour.a;
+        }
+        if (alphas_ != vec3(alphas_.x)) {
+            texels_ = std::max(texels_, kTexelsOfColours);
+        }
     }
 
     double texels() const { return texels_; }
@@ -58,25 +98,64 @@ class Shown {
 
   private:
     vec3 look(const vec3& barycentric) const {
-        const vec2 at = uv_[0] * barycentric.x + uv_[1] * barycentric.y + uv_[2] * barycentric.z;
-        return vec3(sample_texture(assets_, texture_, at, true));
+        const vec3 emission = emission_.present() ? vec3(emission_.look(barycentric)) : vec3(1);
+        if (material_.alpha_mode == AlphaMode::opaque) {
+            return emission;
+        }
+        float alpha = glm::dot(alphas_, barycentric);
+        if (base_.present()) {
+            alpha *= base_.look(barycentric).a;
+        }
+        if (material_.alpha_mode == AlphaMode::mask) {
+            return material_.base_colour.a * alpha < material_.alpha_cutoff ? vec3(0) : emission;
+        }
+        return emission * glm::clamp(alpha, 0.0f, 1.0f);
     }
 
-    const SceneAssets& assets_;
-    const Texture& texture_;
-    std::array<vec2, 3> uv_;
+    const Material& material_;
+    Layer emission_, base_;
+    vec3 alphas_{1};  // of the vertices
     double texels_ = 1;
 };
 
-float brightest_of(const Image& image) {
+std::uint8_t largest(const Image& image, bool alpha) {
     std::uint8_t most = 0;
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-        most = i % 4 < 3 ? std::max(most, image.rgba[i]) : most;
+        most = (i % 4 == 3) == alpha ? std::max(most, image.rgba[i]) : most;
     }
-    return linear_from_srgb(static_cast<float>(most) / 255);
+    return most;
+}
+
+// 0..1: of what any surface of the material shows.
+float brightest_of(const SceneAssets& assets, const Material& material) {
+    const auto most = [&](const TextureRef& ref, bool alpha) {
+        return static_cast<float>(largest(assets.images[assets.textures[ref.texture].image], alpha)) / 255;
+    };
+    float brightest = 1;
+    if (material.emissive_texture.present()) {
+        brightest = linear_from_srgb(most(material.emissive_texture, false));
+    }
+    if (material.alpha_mode == AlphaMode::blend && material.base_colour_texture.present()) {
+        brightest *= most(material.base_colour_texture, true);
+    }
+    return brightest;
 }
 
 }  // namespace
+
+vec3 emitted(const Material& material) {
+    const bool blended = material.alpha_mode == AlphaMode::blend;
+    return blended ? material.emissive * std::clamp(material.base_colour.a, 0.0f, 1.0f) : material.emissive;
+}
+
+bool gives_light(const Material& material) {
+    const vec3 nits = emitted(material);
+    return nits.x > 0 || nits.y > 0 || nits.z > 0;
+}
+
+bool glows_in_pieces(const Material& material) {
+    return material.emissive_texture.present() || material.alpha_mode != AlphaMode::opaque;
+}
 
 // Halves a triangle down to the last piece, and puts halves that glow alike together again on the way back.
 class EmissiveCut {
@@ -161,8 +240,7 @@ std::size_t EmissivePieces::piece_at(std::size_t t, vec3 at) const {
 }
 
 EmissivePieces emissive_pieces(const SceneAssets& assets, const Mesh& mesh, const Material& material) {
-    const TextureRef& ref = material.emissive_texture;
-    const float tolerance = kEven * brightest_of(assets.images[assets.textures[ref.texture].image]);
+    const float tolerance = kEven * brightest_of(assets, material);
     const std::size_t triangles = mesh.indices.size() / 3;
     int affordable = 0;
     while (affordable < kMostHalvings && (triangles << (affordable + 1)) <= kMostPieces) {
@@ -170,14 +248,13 @@ EmissivePieces emissive_pieces(const SceneAssets& assets, const Mesh& mesh, cons
     }
     EmissivePieces result;
     for (std::size_t t = 0; t < triangles; ++t) {
-        std::array<vec2, 3> uv;
+        std::array<const Vertex*, 3> vertices;
         Corners positions;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vertex& vertex = mesh.vertices[mesh.indices[3 * t + k]];
-            uv[k] = ref.uv_set == 0 ? vertex.uv0 : vertex.uv1;
-            positions[k] = vertex.position;
+            vertices[k] = &mesh.vertices[mesh.indices[3 * t + k]];
+            positions[k] = vertices[k]->position;
         }
-        const Shown shown(assets, ref, uv);
+        const Shown shown(assets, material, vertices);
         const int halvings = std::min(affordable, static_cast<int>(std::ceil(std::log2(shown.texels()))));
         EmissiveCut(shown, positions, tolerance, result).cut(halvings);
     }

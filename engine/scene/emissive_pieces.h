@@ -1,4 +1,4 @@
-// Triangles that glow by a texture, cut into pieces that each glow evenly.
+// Triangles that glow by a texture or as far as alpha covers them, cut into pieces that each glow evenly.
 #pragma once
 
 #include <array>
@@ -11,10 +11,14 @@
 
 namespace lanthorn {
 
-// A part of a triangle, and how much of the material's emission leaves from it.
+// Nits that leave it, textures and vertex colours apart: a blended one shines as much as it covers.
+vec3 emitted(const Material& material);
+bool gives_light(const Material& material);  // any, by emitted()
+
+// A part of a triangle, and how much of emitted() leaves from it.
 struct EmissivePiece {
     std::array<vec3, 3> corners;  // barycentric coordinates in the triangle, in its winding
-    vec3 share{1};                // rgb 0..1: the texture's mean over the piece
+    vec3 share{1};                // rgb 0..1: the mean over the piece of texture and alpha
 
     // Where it lies in a triangle of these corners.
     std::array<vec3, 3> within(const std::array<vec3, 3>& triangle) const {
@@ -51,10 +55,13 @@ class EmissivePieces {
     std::vector<std::uint32_t> roots_;  // one a triangle
 };
 
-// Each triangle is halved across its longest edge until the texture is even over a piece (within a tenth of
-// its brightest texel) or a piece is a texel wide. A mesh has at most 16 384 of them, or one a triangle: then
-// a piece has its mean. Pieces that touch share corners bit for bit. `mesh` has the texture's coordinates;
-// `material` has an emissive texture. O(texels that the mesh shows, 64 a piece at most).
+// Whether it takes pieces to say where light leaves a surface of `material`.
+bool glows_in_pieces(const Material& material);
+
+// Each triangle is halved across its longest edge until what it shows is even over a piece (within a tenth of
+// the brightest there is) or a piece is a texel wide. A mesh has at most 16 384 of them, or one a triangle:
+// then a piece has its mean. Pieces that touch share corners bit for bit. `mesh` has the textures'
+// coordinates; alpha counts as AlphaMode says. O(texels that the mesh shows, 64 a piece at most).
 EmissivePieces emissive_pieces(const SceneAssets& assets, const Mesh& mesh, const Material& material);
 
 }  // namespace lanthorn

@@ -11,7 +11,7 @@
 
 namespace lanthorn::reference {
 
-Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blended)
+Emitters::Emitters(TraceScene& scene, const MaterialTable& materials)
     : scene_(scene), materials_(materials), pieces_(scene.instances().size()) {
     for (TraceTriangle& triangle : scene.triangles()) {
         triangle.emitter = kNoEmitter;
@@ -22,10 +22,10 @@ Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blend
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const TraceInstance& instance = scene.instances()[i];
         const MaterialConstants& material = materials[instance.material];
-        if (!material.emits || (material.blend && !blended)) {
+        if (!material.emits) {
             continue;
         }
-        if (assets.materials[instance.material].emissive_texture.present()) {
+        if (glows_in_pieces(assets.materials[instance.material])) {
             std::shared_ptr<const EmissivePieces>& pieces = cut[instance.mesh];
             if (!pieces) {
                 pieces = std::make_shared<const EmissivePieces>(
@@ -64,7 +64,7 @@ void Emitters::add(const TraceScene& scene, std::uint32_t instance, std::uint32_
         EmissivePiece{{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, vec3(1)}};
     const EmissivePieces* cut = pieces_[instance].get();
     const std::span<const EmissivePiece> pieces = cut != nullptr ? cut->of(primitive) : std::span(kUncut);
-    const vec3 nits = scene.frame().assets->materials[of.material].emissive;
+    const vec3 nits = emitted(scene.frame().assets->materials[of.material]);
     const double sides = material.double_sided ? 2 : 1;
     const std::size_t first = triangles_.size();
     double whole = 0;

@@ -1,5 +1,5 @@
-// The emissive triangles of a scene, cut into pieces where a texture varies what they emit: drawn by flux,
-// evenly over each.
+// The emissive triangles of a scene, cut into pieces where texture or alpha vary what they emit: drawn by
+// flux, evenly over each.
 #pragma once
 
 #include <memory>
@@ -35,9 +35,9 @@ struct EmitterTriangle {
 
 class Emitters {
   public:
-    // Writes TraceTriangle::emitter of every triangle. `blended`: whether rays meet blended surfaces, which
-    // emit only then.
-    Emitters(TraceScene& scene, const MaterialTable& materials, bool blended);
+    // Writes TraceTriangle::emitter of every triangle. What is blended emits what it shows: its emission
+    // times alpha.
+    Emitters(TraceScene& scene, const MaterialTable& materials);
 
     bool empty() const { return triangles_.empty(); }
     // Whether there are so many that choosing one needs a number of its own; else draw() splits it off `u`.

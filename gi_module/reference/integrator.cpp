@@ -71,12 +71,11 @@ Bsdf Integrator::bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material,
 vec3 Integrator::emission(const SurfaceHit& hit) const {
     const TraceInstance& instance = scene_.instances()[hit.instance];
     const MaterialConstants& material = materials_[instance.material];
-    // Of what is blended diffuse transport shows the emission to cameras alone, as the techniques do.
-    if (material.blend && settings_.transport != Transport::full) {
-        return vec3(0);
-    }
     if (!material.emits || !(hit.front || material.double_sided)) {
         return vec3(0);
+    }
+    if (material.blend && blended_ == Blended::by_chance) {  // of its alpha: where it is met it shines whole
+        return material_at(hit).emissive;
     }
     return materials_.emission(instance, hit.primitive, hit.barycentric);
 }

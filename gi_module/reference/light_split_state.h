@@ -15,10 +15,9 @@ struct LightSplitter::State {
     State(const FrameScene& given, const PathSettings& wanted)
         : frame(given),
           settings(settled(wanted, false)),
-          full(settings.transport == Transport::full),
           materials(*frame.assets),
           scene(frame, materials),
-          emitters(scene, materials, full),
+          emitters(scene, materials),
           lights(frame),
           sky(frame) {
         integrator.emplace(scene, materials, emitters, lights, sky, settings);
@@ -50,7 +49,6 @@ struct LightSplitter::State {
 
     FrameScene frame;
     PathSettings settings;
-    bool full;
     MaterialTable materials;
     TraceScene scene;
     Emitters emitters;

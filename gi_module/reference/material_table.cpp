@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/emissive_pieces.h"
 #include "engine/scene/texture_lookup.h"
 #include "gi_module/reference/bsdf.h"
 #include "gi_module/reference/sampling.h"
@@ -93,22 +94,30 @@ SurfaceMaterial surface_at(const Material& m, const vec4& base, const Textures& 
     return s;
 }
 
-vec3 mean_emission(const Material& m, const SceneAssets& assets) {
-    if (!m.emits() || !m.emissive_texture.present()) {
-        return m.emissive;
-    }
-    const Texture& texture = assets.textures[m.emissive_texture.texture];
+// Over the texels of all its image.
+vec4 mean_of(const SceneAssets& assets, const TextureRef& ref) {
+    const Texture& texture = assets.textures[ref.texture];
     const Image& image = assets.images[texture.image];
-    dvec3 sum(0);
+    glm::dvec4 sum(0);
     const vec2 size(image.width, image.height);
     for (std::uint32_t y = 0; y < image.height; ++y) {
         for (std::uint32_t x = 0; x < image.width; ++x) {
             const vec2 centre = vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) / size;
-            sum += dvec3(sample_texture(assets, texture, centre, true));
+            sum += glm::dvec4(sample_texture(assets, texture, centre, true));
         }
     }
-    const double pixels = std::max(1.0, static_cast<double>(image.width) * image.height);
-    return m.emissive * vec3(sum / pixels);
+    return vec4(sum / std::max(1.0, static_cast<double>(image.width) * image.height));
+}
+
+vec3 mean_emission(const Material& m, const SceneAssets& assets) {
+    vec3 mean = emitted(m);
+    if (gives_light(m) && m.emissive_texture.present()) {
+        mean *= vec3(mean_of(assets, m.emissive_texture));
+    }
+    if (gives_light(m) && m.alpha_mode == AlphaMode::blend && m.base_colour_texture.present()) {
+        mean *= mean_of(assets, m.base_colour_texture).a;
+    }
+    return mean;
 }
 
 // As albedo_to_keep() and kept_albedo() of engine/render.
@@ -130,8 +139,8 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.blend = m.alpha_mode == AlphaMode::blend;
     c.double_sided = m.double_sided;
     c.unlit = m.unlit;
-    c.emits = m.emits();
-    c.emits_evenly = m.emits() && !m.emissive_texture.present() && m.alpha_mode == AlphaMode::opaque;
+    c.emits = gives_light(m);
+    c.emits_evenly = c.emits && !m.emissive_texture.present() && m.alpha_mode == AlphaMode::opaque;
     // One that shines is a lamp: drawn as such, it lets nothing through.
     c.volume = m.bounds_volume() && m.transmission > 0 && !m.unlit && !m.emits();
     c.ior = m.ior;

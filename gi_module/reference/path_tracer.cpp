@@ -34,7 +34,7 @@ struct PathTracer::State {
           sample_number(sample_hash(frame, image_size, path_settings)),
           materials(*frame.assets),
           scene(frame, materials),
-          emitters(scene, materials, path_settings.transport == Transport::full),
+          emitters(scene, materials),
           lights(frame),
           sky(frame),
           camera(frame.camera, image_size),

@@ -17,7 +17,7 @@ struct SparsePaths::State {
           settings(settled(wanted, false)),
           materials(*frame.assets),
           scene(frame, materials),
-          emitters(scene, materials, settings.transport == Transport::full),
+          emitters(scene, materials),
           lights(frame),
           sky(frame),
           integrator(scene, materials, emitters, lights, sky, settings),

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/scene/emissive_pieces.h"
 #include "lanthorn/core/colour.h"
 
 namespace lanthorn::gi {
@@ -201,10 +202,7 @@ CausticCause caustic_cause(const FrameScene& scene) {
     if (std::ranges::none_of(scene.instances, throws)) {
         return CausticCause::nothing_specular;
     }
-    const auto emits = [&](const Instance& instance) {
-        const Material& m = scene.material(instance);
-        return m.emits() && m.alpha_mode != AlphaMode::blend;
-    };
+    const auto emits = [&](const Instance& instance) { return gives_light(scene.material(instance)); };
     const auto arrives = [&](const LightInstance& light) { return flux_towards(light, scene.bounds) > 0; };
     const auto shines = [](const SkyInstance& sky) { return glm::length(sky.scale()) > 0; };
     const bool lit = (scene.sky && shines(*scene.sky)) || std::ranges::any_of(scene.lights, arrives) ||

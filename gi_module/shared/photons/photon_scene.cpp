@@ -14,7 +14,7 @@ bool PhotonScene::follow(const FrameScene& scene, PhotonScattering scattering) {
     scattering_ = scattering;
     known_ = true;
     if (changed) {
-        sources_ = PhotonSources(scene_.scene(), scene_.materials(), scattering == PhotonScattering::full);
+        sources_ = PhotonSources(scene_.scene(), scene_.materials());
     }
     return changed;
 }

@@ -91,8 +91,7 @@ void PhotonSources::add(const dvec3& flux, Source source, std::vector<Colour>& c
     found->sources.push_back(source);
 }
 
-PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
-                             bool blended)
+PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials)
     : scene_(&scene), materials_(&materials) {
     const FrameScene& frame = scene.frame();
     if (frame.bounds.empty()) {
@@ -112,7 +111,7 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const reference::TraceInstance& instance = scene.instances()[i];
         const reference::MaterialConstants& material = materials[instance.material];
-        if (!material.emits || (material.blend && !blended)) {
+        if (!material.emits) {
             continue;
         }
         const mat4& transform = frame.instances[i].transform;

@@ -40,10 +40,8 @@ struct PhotonStart {
 class PhotonSources {
   public:
     PhotonSources() = default;  // none: no light
-    // `scene` and `materials` must outlive this. `blended`: whether blended surfaces emit. O(lights +
-    // emissive triangles + pixels of the sky).
-    PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
-                  bool blended);
+    // `scene` and `materials` must outlive this. O(lights + emissive triangles + pixels of the sky).
+    PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials);
 
     bool empty() const { return groups_.empty(); }
     std::span<const LightGroup> groups() const { return groups_; }

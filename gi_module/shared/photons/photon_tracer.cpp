@@ -255,6 +255,12 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, Surfac
         own = materials_.evaluate(instance, hit.primitive, hit.barycentric);
         material = &own;
     }
+    const bool full = settings_.scattering == PhotonScattering::full;
+    if (constants.blend && !full) {  // met by chance of its alpha
+        own = *material;
+        own.alpha = 1;
+        material = &own;
+    }
     const float here = hit.t - flight.nearest;
     flight.nearest = 0;
     if (constants.volume || flight.medium != reference::kAir) {
@@ -264,7 +270,6 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, Surfac
     const bool lit = hit.front || constants.double_sided;
     const bool sees_through = constants.sees_through || (constants.volume && material->transmission > 0);
     // Backs end light, those of glass and of rough thin walls apart.
-    const bool full = settings_.scattering == PhotonScattering::full;
     const bool scatters = lit || (full && constants.transmits);
     // What rough thin walls transmit is scattered too, as Integrator::bsdf_at() has it.
     const bool straight = !full || (constants.sees_through && !constants.blend);

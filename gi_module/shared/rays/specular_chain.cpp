@@ -199,7 +199,7 @@ class Chain {
         }
         if (constants.emits && (hit.front || constants.double_sided)) {
             result.emission =
-                way_.left * scene_.materials().emission(instance, hit.primitive, hit.barycentric);
+                way_.left * material_.emissive;  // what is blended is met by chance of its alpha
             result.emitter = instance.id + 1;
         }
         return result;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/scene/emissive_pieces.h"
 #include "gi_module/shared/mirrors/mirror_plan.h"
 #include "gi_module/shared/plan_words.h"
 #include "gi_module/shared/rays/exact_rays.h"
@@ -19,9 +20,8 @@ using Reason = DrmReason;
 constexpr float kEvenRoughness = 0.85f;  // of glossy_lobe.glsl
 
 bool any_emissive(const FrameScene& scene) {
-    return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-        return scene.material(instance).emissive != vec3(0);
-    });
+    return std::ranges::any_of(
+        scene.instances, [&](const Instance& instance) { return gives_light(scene.material(instance)); });
 }
 
 bool any_glossy(const FrameScene& scene) {

@@ -90,8 +90,7 @@ void PathTechnique::update(const render::LightInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
     const FrameScene& scene = inputs.scene;
     if (scene_.follow(scene) || plan_.begins_again) {
-        emitters_.emplace(scene_.scene(), scene_.materials(),
-                          settings_.transport == reference::Transport::full);
+        emitters_.emplace(scene_.scene(), scene_.materials());
         lights_.emplace(scene);
     }
     if (of_sky_ != scene.sky) {

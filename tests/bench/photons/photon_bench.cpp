@@ -81,7 +81,7 @@ void measure(const std::string& name, PhotonScattering scattering, double second
     const FrameScene frame = Extractor().extract(world);
     const reference::MaterialTable materials(*frame.assets);
     reference::TraceScene scene(frame, materials, reference::Structure::moving);
-    const PhotonSources sources(scene, materials, scattering == PhotonScattering::full);
+    const PhotonSources sources(scene, materials);
     const PhotonTracer tracer(scene, materials, sources, {.bounces = 2, .seed = 1, .scattering = scattering});
     reference::TileWorkers alone(1);
     reference::RayLog log;

@@ -66,7 +66,7 @@ TEST(Photons, TwoLampsHaveNumbersOfTheirOwn) {
     EXPECT_NE(std::memcmp(one.data(), other.data(), one.size() * sizeof(vec3)), 0);
 }
 
-// A pane of no alpha is not there; it is the lamp's own glow that a camera alone sees.
+// A pane of no alpha is not there, however it glows.
 TEST(Photons, PassWhatIsBlendedAndClear) {
     Material glass = lambertian(vec3(0.9f));
     glass.alpha_mode = AlphaMode::blend;

@@ -61,8 +61,11 @@ FrameScene panels_as_a_mesh() {
     return b.build();
 }
 
-// The whole ceiling, of which a texture leaves the panels: texels of 20 cm by 5 cm.
-FrameScene panels_as_a_texture() {
+enum class By { emission, alpha };
+
+// The whole ceiling, of which a texture leaves the panels: texels of 20 cm by 5 cm. That of emission, or the
+// alpha of what is blended, whose factor is 0.5.
+FrameScene panels_as_a_texture(By by) {
     testing::SceneBuilder b;
     constexpr std::uint32_t kWidth = 40, kDepth = 120;
     Image image;
@@ -85,8 +88,13 @@ FrameScene panels_as_a_texture() {
     }
     Sampler nearest;
     nearest.mag = Filter::nearest;
-    Material lamp = glowing(vec3(1000));
-    lamp.emissive_texture.texture = b.add_image(image, nearest);
+    Material lamp = glowing(vec3(by == By::alpha ? 2000 : 1000));
+    if (by == By::alpha) {
+        lamp.alpha_mode = AlphaMode::blend;
+        lamp.base_colour.a = 0.5f;
+    }
+    TextureRef& texture = by == By::alpha ? lamp.base_colour_texture : lamp.emissive_texture;
+    texture.texture = b.add_image(image, nearest);
     b.add_quad(b.add_material(lamp), vec3(0, kHeight, 0), vec3(4, 0, 0), vec3(0, 0, 3));
     return b.build();
 }
@@ -166,7 +174,36 @@ TEST(Emitters, SixteenPanelsAsAMesh) {
     expect_light_of_the_panels(panels_as_a_mesh(), "a mesh");
 }
 TEST(Emitters, SixteenPanelsAsATexture) {
-    expect_light_of_the_panels(panels_as_a_texture(), "a texture");
+    expect_light_of_the_panels(panels_as_a_texture(By::emission), "a texture");
+}
+TEST(Emitters, SixteenPanelsAsAlpha) {
+    expect_light_of_the_panels(panels_as_a_texture(By::alpha), "alpha");
+}
+
+// What is blended is as bright as it covers; without alpha it is no lamp, and when its alpha changes it is
+// another one.
+TEST(Emitters, BlendedOnesShineAsMuchAsTheyCover) {
+    testing::context();
+    testing::SceneBuilder b;
+    Material lamp = glowing(vec3(1000));
+    lamp.alpha_mode = AlphaMode::blend;
+    lamp.base_colour.a = 0.25f;
+    b.add_quad(b.add_material(lamp), vec3(0, kHeight, 0), kU, kV);
+    FrameScene scene = b.build();
+    render::EmissiveTriangles emissive;
+    emissive.update(scene);
+    EXPECT_EQ(emissive.count(), 2);
+    EXPECT_NEAR(emissive.flux().g / (kPi * 250 * 4 * kHalf * kHalf), 1, 1e-5);
+    SceneAssets assets = *scene.assets;
+    assets.materials.edit(0, [](Material& m) { m.base_colour.a = 0; });
+    assets.serial = next_asset_version();
+    scene.assets = std::make_shared<const SceneAssets>(std::move(assets));
+    ++scene.frame;
+    scene.changes.geometry = true;
+    emissive.update(scene);
+    EXPECT_EQ(emissive.count(), 0);
+    EXPECT_EQ(emissive.flux(), vec3(0));
+    EXPECT_TRUE(make_area_samples(emissive, render::RenderSettings()).empty());
 }
 
 // What glows, of a thousand lamps or of a mesh of a hundred thousand triangles: all of it, by 64 points at

@@ -93,6 +93,23 @@ TEST(PhotonSources, AnEmitterSendsPiTimesItsRadianceFromEachLitSide) {
     }
 }
 
+// What is blended sends as much as it covers.
+TEST(PhotonSources, ABlendedEmitterSendsItsAlpha) {
+    for (const PhotonScattering scattering : {PhotonScattering::even, PhotonScattering::full}) {
+        Material lamp = support::lamp(vec3(5));
+        lamp.alpha_mode = AlphaMode::blend;
+        lamp.base_colour.a = 0.3f;
+        Mesh panel = support::quad(vec3(-0.1f), vec3(0.2f, 0, 0), vec3(0, 0.3f, 0), 1);
+        for (std::size_t i = 0; i < 4; ++i) {
+            panel.vertices[i].colour.a = i % 3 == 0 ? 1.0f : 0.0f;  // fades along x
+        }
+        const FrameScene scene = scene_of({support::box(vec3(-1), vec3(1), true, 0), panel},
+                                          {lambertian(vec3(0)), lamp}, {}, vec3(0), vec3(0, 0, 1));
+        const Traced traced(scene, kWalks, {.bounces = 2, .seed = 1, .scattering = scattering});
+        EXPECT_NEAR(traced.after(0).x / (0.5 * 0.3 * 5 * kPiD * 0.2 * 0.3), 1, 0.01);
+    }
+}
+
 TEST(PhotonSources, AFloorUnderAnEvenSkyGetsPiTimesItsRadiance) {
     FrameScene scene = scene_of({floor_quad(0)}, {lambertian(vec3(0))}, {}, vec3(0, 3, 0), vec3(0));
     auto image = std::make_shared<SkyImage>();

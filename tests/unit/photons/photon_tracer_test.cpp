@@ -164,6 +164,20 @@ TEST(PhotonTracer, AThinPaneLetsLightGoStraightOn) {
         traced.run.photons, [&](const Photon& p) { return !on_floor(p) || (p.straight && p.caustic); }));
 }
 
+// A curtain stops the share of light that its alpha says.
+TEST(PhotonTracer, ACurtainStopsAsMuchAsItCovers) {
+    for (const PhotonScattering scattering : {PhotonScattering::even, PhotonScattering::full}) {
+        Material cloth = lambertian(vec3(0.8f));
+        cloth.alpha_mode = AlphaMode::blend;
+        cloth.base_colour.a = 0.4f;
+        const FrameScene scene =
+            scene_of({floor_quad(0), floor_quad(1, 0.5f)}, {lambertian(vec3(0)), cloth},
+                     {support::directional_light(vec3(0, -1, 0), 100)}, vec3(0, 3, 0), vec3(0));
+        const Traced traced(scene, kWalks, {.bounces = 1, .seed = 1, .scattering = scattering});
+        EXPECT_NEAR(traced.flux([](const Photon& p) { return p.instance == 0; }).x / 400, 0.6, 0.01);
+    }
+}
+
 // A thin wall that scatters what it lets through and reflects nothing.
 Material frosted() {
     Material result = lambertian(vec3(1));

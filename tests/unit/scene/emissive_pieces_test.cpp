@@ -112,6 +112,83 @@ TEST(EmissivePieces, EachPointHasItsPiece) {
     }
 }
 
+// Gives the board's material that alpha mode, and its base colour a texture that is solid where `solid` says
+// so.
+template <class Solid>
+void cover(Board& b, AlphaMode mode, std::uint32_t side, const Solid& solid) {
+    Image image;
+    image.width = image.height = side;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        const std::uint8_t value = solid(i % side, i / side) ? 255 : 0;
+        image.rgba.insert(image.rgba.end(), {90, 90, 90, value});
+    }
+    Texture texture;
+    texture.image = static_cast<std::uint32_t>(b.assets.images.size());
+    texture.sampler.mag = Filter::nearest;
+    b.material.base_colour_texture.texture = static_cast<std::uint32_t>(b.assets.textures.size());
+    b.assets.images.push_back(image);
+    b.assets.textures.push_back(texture);
+    b.material.alpha_mode = mode;
+}
+
+TEST(EmissivePieces, LightLeavesFromWhatIsCovered) {
+    for (const AlphaMode mode : {AlphaMode::blend, AlphaMode::mask}) {
+        Board b = board(2, [](auto x, auto) { return x == 0; });
+        cover(b, mode, 64, [](auto x, auto y) { return x >= 30 && x < 34 && y >= 8 && y < 12; });
+        const EmissivePieces pieces = emissive_pieces(b.assets, b.mesh, b.material);
+        EXPECT_NEAR(light_of(pieces) / (0.5 / 256), 1, 0.02);
+    }
+    Board opaque = board(1, [](auto, auto) { return true; });
+    cover(opaque, AlphaMode::opaque, 64, [](auto, auto) { return false; });
+    EXPECT_NEAR(light_of(emissive_pieces(opaque.assets, opaque.mesh, opaque.material)), 1, 1e-6);
+}
+
+// Along a fade of vertex colours; of a masked board what is above its cutoff.
+TEST(EmissivePieces, ColoursOfVerticesCoverToo) {
+    Board b = board(1, [](auto, auto) { return true; });
+    b.material.emissive_texture = {};
+    for (Vertex& vertex : b.mesh.vertices) {
+        vertex.colour.a = vertex.position.x;
+    }
+    b.material.alpha_mode = AlphaMode::blend;
+    const EmissivePieces fade = emissive_pieces(b.assets, b.mesh, b.material);
+    EXPECT_NEAR(light_of(fade), 0.5, 1e-3);
+    EXPECT_GT(fade.of(0).size(), 8U);
+    EXPECT_LE(fade.of(0).size(), 256U);
+    b.material.alpha_mode = AlphaMode::mask;
+    b.material.alpha_cutoff = 0.75f;
+    EXPECT_NEAR(light_of(emissive_pieces(b.assets, b.mesh, b.material)), 0.25, 0.02);
+    b.material.base_colour.a = 0.5f;
+    EXPECT_EQ(light_of(emissive_pieces(b.assets, b.mesh, b.material)), 0);
+}
+
+// What covers evenly, however little, stays whole; its factor is emitted()'s.
+TEST(EmissivePieces, AnEvenCoverStaysWhole) {
+    Board b = board(16, [](auto, auto) { return true; });
+    cover(b, AlphaMode::blend, 16, [](auto, auto) { return true; });
+    b.material.base_colour.a = 0.25f;
+    const EmissivePieces pieces = emissive_pieces(b.assets, b.mesh, b.material);
+    ASSERT_EQ(pieces.of(0).size(), 1U);
+    EXPECT_EQ(pieces.of(0)[0].share, vec3(1));
+    EXPECT_EQ(emitted(b.material), vec3(0.25f));
+    EXPECT_TRUE(gives_light(b.material));
+    b.material.base_colour.a = 0;
+    EXPECT_FALSE(gives_light(b.material));
+}
+
+TEST(EmissivePieces, AlphaOfNoiseKeepsItsLightAndIsBounded) {
+    Board b = board(1, [](auto, auto) { return true; });
+    cover(b, AlphaMode::blend, 512,
+          [](auto x, auto y) { return ((x * 2654435761U) ^ (y * 40503U)) >> 7 & 1; });
+    double solid = 0;
+    for (std::size_t i = 3; i < b.assets.images[1].rgba.size(); i += 4) {
+        solid += b.assets.images[1].rgba[i] / 255.0;
+    }
+    const EmissivePieces pieces = emissive_pieces(b.assets, b.mesh, b.material);
+    EXPECT_LE(pieces.of(0).size() + pieces.of(1).size(), 16384U);
+    EXPECT_NEAR(light_of(pieces) / (solid / (512.0 * 512)), 1, 0.02);
+}
+
 // Coordinates that are no number, and a texture without texels.
 TEST(EmissivePieces, BadInputHasAPieceATriangle) {
     Board b = board(4, [](auto, auto) { return true; });

@@ -46,7 +46,7 @@ struct SurfacePoint {
 class Reach {
   public:
     explicit Reach(const FrameScene& frame)
-        : surfaces_(frame), emitters_(surfaces_.scene, surfaces_.materials, false), lights_(frame) {
+        : surfaces_(frame), emitters_(surfaces_.scene, surfaces_.materials), lights_(frame) {
         list_sides();
     }
 

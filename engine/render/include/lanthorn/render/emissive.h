@@ -20,9 +20,9 @@ namespace lanthorn::render {
 class EmissiveTriangles {
   public:
     // Rebuilds the list if an emissive instance appeared, left, moved or changed, or what its material emits
-    // did. What glows by a texture is cut into pieces that glow evenly, each a triangle of the list (at most
-    // 16 384 a mesh); what subdivision made has the texture's mean. Triangles without area or light are left
-    // out. O(emissive triangles) then.
+    // did. What glows by a texture, or as far as alpha covers it, is cut into pieces that glow evenly (at
+    // most 16 384 a mesh); what subdivision made has the mean. A blended one has emission times alpha.
+    // Triangles without area or light are left out. O(emissive triangles) then.
     void update(const FrameScene& scene);
 
     // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
@@ -62,10 +62,10 @@ class EmissiveTriangles {
         std::uint64_t serial = 0;    // of the assets
         std::uint64_t mesh = 0;      // AssetVersion<Mesh>
         std::uint32_t material = 0;  // the mesh's
-        std::uint64_t emission = 0;  // AssetVersion<Material>
+        std::uint64_t emission = 0;  // AssetVersion<Material>: the later of emission and surface
         std::shared_ptr<const EmissivePieces> pieces;
     };
-    // Of a mesh that glows by a texture; else null.
+    // Of a mesh that glows_in_pieces(); else null.
     const EmissivePieces* pieces_of(const SceneAssets& assets, std::uint32_t mesh);
     void build(const FrameScene& scene);
 
