@@ -42,7 +42,8 @@ void Gather::place(const render::FrameInputs& inputs) {
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     // Once most is remembered the wide levels only blur.
     const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
-    return filter_.run(filtered_points(irradiance), points_.rays() >= 4 ? narrow : 0);
+    const bool enough = points_.rays() >= 4;
+    return filter_.run(filtered_points(irradiance), {enough ? narrow : 0, enough && by_rays_});
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
@@ -62,6 +63,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "gather");
         if (work.points) {
+            by_rays_ = !work.other_view;
             allocate(inputs.gbuffer.size(), settings);
             place(inputs);
             frames_ = 0;

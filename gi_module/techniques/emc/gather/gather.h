@@ -65,6 +65,9 @@ class Gather {
     NearPixels near_;
     GatherUpsampling upsampling_;
     int frames_ = 0;
+    // Surfaces have moved since the view last changed. Rays that a camera has gathered on its way are spread
+    // less evenly than their number tells.
+    bool by_rays_ = false;
     GatherLinks links_;
     GatherFilter filter_;
     const gpu::Buffer* filtered_ = nullptr;  // of the last irradiance()

@@ -8,6 +8,9 @@ namespace {
 
 constexpr int kWideLevels = 4;  // filter_levels() of gather_trust.glsl at most
 constexpr int kNarrowLevels = 2;
+// A point's rays, where Width::by_rays: from which on it begins to become narrow, and with which it is.
+constexpr float kFirstRays = 16, kNarrowRays = 32;
+constexpr float kNoRays = 1e9f;  // more than any has
 
 }  // namespace
 
@@ -44,10 +47,10 @@ void GatherFilter::use(const gpu::Program& program, const Points& points, const 
     program.set("grid", points.grid);
 }
 
-const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
+const gpu::Buffer& GatherFilter::run(const Points& points, Width width) {
     allocate(points.grid.x * points.grid.y);
-    narrow_ = narrow;
-    pooled_ = narrow < 1 ? 2 : 1;
+    width_ = width;
+    pooled_ = width.narrow < 1 ? 2 : 1;
     for (int level = 0; level < pooled_; ++level) {
         const gpu::Program& program = prefilter_programs_[level];
         use(program, points, points.irradiance);
@@ -72,13 +75,15 @@ const gpu::Buffer& GatherFilter::again(const Points& points, const gpu::Buffer& 
 const gpu::Buffer& GatherFilter::levels(const Points& points, const gpu::Buffer& values,
                                         gpu::Buffer (&filtered)[2]) {
     const gpu::Buffer* from = &values;
-    for (int level = 0; level < (narrow_ < 1 ? kWideLevels : kNarrowLevels); ++level) {
+    for (int level = 0; level < (width_.narrow < 1 ? kWideLevels : kNarrowLevels); ++level) {
         use(filter_program_, points, *from);
         guide_view_.bind(2, guides_[pooled_ - 1], GL_RG32F);
         filter_program_.set("guide", 2);
         filter_program_.set("level", level);
-        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow_));
-        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow_);
+        filter_program_.set("narrowed", width_.narrow);
+        filter_program_.set("narrowing",
+                            vec2(width_.by_rays ? kFirstRays : kNoRays, 1 / (kNarrowRays - kFirstRays)));
+        filter_program_.set("narrows", level >= kNarrowLevels);
         filtered[level % 2].bind_storage(4);
         dispatch_in_parts(filter_program_, count_);
         from = &filtered[level % 2];

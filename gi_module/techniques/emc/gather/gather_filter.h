@@ -17,11 +17,16 @@ class GatherFilter {
         const gpu::Buffer& known;  // float: rays behind it
         const gpu::Buffer& cuts;   // uint32: links that a wall stands in (gather_links.h)
     };
-    // vec4 by point, lux; a < 0: nothing is known. `narrow`: 0 takes away the noise of few rays and blurs, 1
-    // is enough for a settled picture; between them the picture sharpens without a step. Cost: 9 points a
-    // point and level, 2 levels where it is 1, else 4.
-    const gpu::Buffer& run(const Points& points, float narrow);
-    // Other values of the same points, with the weights and the `narrow` of the last run(): vec4 by point, a
+    struct Width {
+        // 0 takes away the noise of few rays and blurs, 1 is enough for a settled picture; between them the
+        // picture sharpens without a step.
+        float narrow = 0;
+        bool by_rays = false;  // narrower at points that have many
+    };
+    // vec4 by point, lux; a < 0: nothing is known. Cost: 9 points a point and level, 2 levels where all are
+    // narrow, else 4.
+    const gpu::Buffer& run(const Points& points, Width width);
+    // Other values of the same points, with the weights and the width of the last run(): vec4 by point, a
     // < 0: nothing is known. What noise becomes.
     const gpu::Buffer& again(const Points& points, const gpu::Buffer& values);
 
@@ -35,7 +40,7 @@ class GatherFilter {
     gpu::Buffer guides_[2];
     gpu::Buffer filtered_[2], again_[2];
     int pooled_ = 1;  // levels of the guide, of the last run()
-    float narrow_ = 0;
+    Width width_;
     gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_, cuts_view_;
 };
 

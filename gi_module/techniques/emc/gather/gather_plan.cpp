@@ -72,6 +72,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     GatherWork& points = plan.gather;
     points.forget = kept.point_rays.due(now);
     points.points = surfaces || view;
+    points.other_view = view;
     plan.point_frames = points.points ? 0 : kept.point_frames;
     points.shoot = plan.point_frames < kFrames;
     // Without maps to reserve it is for the statistics alone, once a still picture has all its rays.

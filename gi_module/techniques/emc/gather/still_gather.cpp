@@ -116,7 +116,8 @@ void StillGather::add(const gpu::Buffer& irradiance) {
 
 void StillGather::show(const gpu::Texture& first, double rays) {
     shown_rays_ = rays;
-    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_, links_.cuts()}, 1);
+    const gpu::Buffer& filtered =
+        filter_.run({size_, surfaces_, mean_, known_, links_.cuts()}, {.narrow = 1});
     show_program_.use();
     first.bind(0);
     irradiance_view_.bind(1, filtered, GL_RGBA32F);
