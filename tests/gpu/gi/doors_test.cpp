@@ -21,7 +21,7 @@ constexpr int kSpp = 256, kRest = 18, kMost = 30;
 constexpr int kBounces = 8;                       // of the reference; 0.5^8 of the light is left
 constexpr float kStep = 1 / 60.0f, kOpen = 0.8f;  // s; radians or metres where it is looked at
 constexpr double kFlux = 0.03;                    // of the flux at rest
-// Of a frame's that remembers nothing. Wanted is 1.3 of the error at rest; measured are 1.2 to 2.3 of that,
+// Of a frame's that remembers nothing. Wanted is 1.3 of the error at rest; measured are 1.3 to 2.4 of that,
 // most of it where the filter goes over the edge of the light in the opening.
 constexpr double kError = 1.35;
 

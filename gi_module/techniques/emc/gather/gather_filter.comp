@@ -22,6 +22,8 @@ uniform float narrowed;  // GatherFilter::Width
 uniform vec2 narrowing;  // rays from which on a point is narrower than that, and 1 over how many more until it is narrow
 uniform bool narrows;    // whether a narrow point does without this level
 
+const float kSure = 0.1, kUnsure = 0.3;
+
 void main() {
     int i = first_item + int(work_item());
     if (i >= grid.x * grid.y) return;
@@ -36,10 +38,12 @@ void main() {
         return;
     }
     int step_width = 1 << level;
-    float narrow = max(narrowed, clamp((rays - narrowing.x) * narrowing.y, 0.0, 1.0));
+    float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
+    // Of the mean: many rays of which few find the light would leave blotches.
+    float sure = clamp((kUnsure * here.x - deviation) / max((kUnsure - kSure) * here.x, 1e-30), 0.0, 1.0);
+    float narrow = max(narrowed, sure * clamp((rays - narrowing.x) * narrowing.y, 0.0, 1.0));
     float least_sigma = mix(4.0, 2.0, narrow);
     float share = narrows ? 1.0 - narrow : 1.0;  // of this level in what it gives; the rest is as it was
-    float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
     float stop = 1.0 / max(sigma_of(rays, least_sigma) * deviation, 1e-3 * here.x + 1e-30);
     uint walls = texelFetch(cuts, i).r;
     vec4 sum = vec4(0.0);
