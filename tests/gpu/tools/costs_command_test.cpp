@@ -30,17 +30,18 @@ using Words = std::vector<std::string>;
 class CostsCommand : public testing::Test {
   protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
-    // Small and quick.
-    static Outcome run(const std::string& scene, const std::string& output, Words more = {}) {
+    // Small and quick. `warmup`: frames before those that are measured; after 16 the gather rests.
+    static Outcome run(const std::string& scene, const std::string& output, const Words& more = {},
+                       const std::string& warmup = "18") {
         Words words{"measure", "costs",    scene,      "-o",    output,
-                    "--size",  "48x48",    "--warmup", "18",    "--frames",
+                    "--size",  "48x48",    "--warmup", warmup,  "--frames",
                     "4",       "--rounds", "1",        "--set", "gi.emc.candidates=16"};
         words.insert(words.end(), more.begin(), more.end());
         return testing_tools::run_program(LANTHORN_BINARY, words);
     }
     // What costs.json says of the first scene.
-    json measure(const std::string& scene, const Words& more = {}) const {
-        const Outcome result = run(scene, path("out"), more);
+    json measure(const std::string& scene, const Words& more = {}, const std::string& warmup = "18") const {
+        const Outcome result = run(scene, path("out"), more, warmup);
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_EQ(result.err, "");
         EXPECT_EQ(testing_tools::files_in(path("out")), (Words{"costs.html", "costs.json"}));
@@ -147,7 +148,7 @@ TEST_F(CostsCommand, WhatThePlanLeavesOutIsNamedWithItsReasonAndItsRule) {
 }
 
 TEST_F(CostsCommand, TwoLightsAreBothMutedAndShareTheLight) {
-    const json scene = measure(with_lamp(20));
+    const json scene = measure(with_lamp(20), {}, "1");
     ASSERT_EQ(scene.at("lights").size(), 2u) << scene.at("lights");
     const json* added = light_of(scene, "added");
     ASSERT_NE(added, nullptr);
@@ -162,7 +163,7 @@ TEST_F(CostsCommand, TwoLightsAreBothMutedAndShareTheLight) {
 }
 
 TEST_F(CostsCommand, ALampThatDoesNotShineGivesNothing) {
-    const json scene = measure(with_lamp(0), {"--lights", "1"});
+    const json scene = measure(with_lamp(0), {"--lights", "1"}, "1");
     const json* added = light_of(scene, "added");
     ASSERT_NE(added, nullptr) << scene.at("lights");
     EXPECT_EQ(added->at("share"), 0);
