@@ -453,7 +453,11 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
     }
     shot_before_.clear();
     if (round.guided && !guide_.knows()) {
-        shoot_round(points, rays, {.slots = 1});
+        // What close hits reflect is not known before they are lit: a slot says what another hit reflected,
+        // and which one is chance.
+        RayScene by_texels = rays;
+        by_texels.close = nullptr;
+        shoot_round(points, by_texels, {.slots = 1});
         listed_.copy_count(shot_before_);
         shade(points, *radiosity);
         round.again = true;
