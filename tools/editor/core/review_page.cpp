@@ -85,7 +85,9 @@ ImageF tinted(const ImageF& final, const ErrorMap& map) {
             const ivec2 cell = ivec2(x, y) / map.stride;
             const bool in = cell.x < map.cells.x && cell.y < map.cells.y;
             const float error =
-                in ? map.error[static_cast<std::size_t>(cell.y * map.cells.x + cell.x)] : 0.0f;
+                in ? map.error[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(map.cells.x) +
+                               static_cast<std::size_t>(cell.x)]
+                   : 0.0f;
             const float amount = std::isfinite(error) ? std::min(std::abs(error), 1.0f) : 0.0f;
             const vec3 c =
                 glm::mix(vec3(grey), error > 0 ? vec3(1, 0.22f, 0.16f) : vec3(0.19f, 0.49f, 1), amount);
