@@ -1,5 +1,5 @@
-// Pictures of a session are the same however many threads draw them: what is appended to a list by many of them comes in another
-// order each time, and no picture may hang on that.
+// Pictures of a session are the same however many threads draw them: what is appended to a list by many of
+// them comes in another order each time, and no picture may hang on that.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,8 +18,8 @@ std::vector<std::string> pictures(const std::string& threads) {
     const testing_tools::TemporaryFolder folder;
     const testing_tools::Outcome outcome = testing_tools::run_program(
         LAMPLIGHTER_BINARY,
-        {"--headless", "--frames", "6", "--level", support::repository_file("assets/levels/red-wall.glb"), "--out",
-         folder.path("out"), "--size", "96x54", "--preset", "low"},
+        {"--headless", "--frames", "6", "--level", support::repository_file("assets/levels/red-wall.glb"),
+         "--out", folder.path("out"), "--size", "96x54", "--preset", "low"},
         {"LP_NUM_THREADS=" + threads});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     std::vector<std::string> result;
