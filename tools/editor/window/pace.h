@@ -19,7 +19,7 @@ std::string_view name_of(Quality quality);
 class Pace {
   public:
     static constexpr double kRestAfter = 0.25;  // seconds without a change by hand
-    static constexpr double kDragMs = 100;      // that a frame may take while the hand moves
+    static constexpr double kDragMs = 80;       // that a frame may take while the hand moves
     static constexpr int kFewest = 7;           // frames of a rest: maps are renewed every five
     static constexpr double kStill = 5e-4;      // share of pixels that may still flicker
     static constexpr int kMost = 40;            // after which it counts as still though it flickers
