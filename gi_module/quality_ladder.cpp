@@ -20,11 +20,12 @@ struct PassGroup {
 
 // Passes within these are theirs.
 constexpr std::array kPasses = {
-    PassGroup{"gather", CostGroup::gather},     PassGroup{"filter", CostGroup::filter},
-    PassGroup{"lit_maps", CostGroup::lit_maps}, PassGroup{"lit_photons", CostGroup::photons, "lit_maps"},
-    PassGroup{"upsampling", CostGroup::pixels}, PassGroup{"specular", CostGroup::pixels},
-    PassGroup{"gbuffer", CostGroup::pixels},    PassGroup{"direct", CostGroup::pixels},
-    PassGroup{"air", CostGroup::pixels},        PassGroup{"composite", CostGroup::pixels},
+    PassGroup{"gather", CostGroup::gather},      PassGroup{"filter", CostGroup::filter},
+    PassGroup{"lit_maps", CostGroup::lit_maps},  PassGroup{"lit_photons", CostGroup::photons, "lit_maps"},
+    PassGroup{"upsampling", CostGroup::pixels},  PassGroup{"specular", CostGroup::pixels},
+    PassGroup{"gbuffer", CostGroup::pixels},     PassGroup{"direct", CostGroup::pixels},
+    PassGroup{"air", CostGroup::pixels},         PassGroup{"composite", CostGroup::pixels},
+    PassGroup{"light_maps", CostGroup::shadows},
 };
 
 CostGroup group_of(std::string_view pass) {

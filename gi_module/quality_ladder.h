@@ -19,9 +19,10 @@ enum class CostGroup {
     lit_maps,  // texels
     photons,   // that light these
     pixels,    // all that is drawn or computed by pixel
-    rest,      // maps, shadows, what moves: nothing here spares it
+    shadows,   // texels of lamps' maps
+    rest,      // environment maps, what moves: nothing here spares it
 };
-inline constexpr std::size_t kCostGroups = 6;
+inline constexpr std::size_t kCostGroups = 7;
 
 // Of the technique that the settings name. `pixels`: whether the picture may become smaller in the end.
 BudgetLadder quality_ladder(const Settings& settings, ivec2 size, bool pixels);

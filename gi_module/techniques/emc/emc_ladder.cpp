@@ -18,12 +18,15 @@ constexpr std::array kRays = {16, 12, 8, 6, 4, 3, 2, 1};
 constexpr std::array kStrides = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16};  // pixels
 constexpr std::array kTexels = {128, 96, 64, 48, 32};
 constexpr std::array kPhotons = {8000, 4000, 2000, 1000, 500};
+constexpr std::array kShadows = {1024, 768, 512, 384, 256, 192, 128};  // texels a side of a lamp's map
 // The picture's pixels are spared before there are fewer points than this.
 constexpr int kLeastPoints = 600;
+// Edges of shadows get no stairs of more than about three pixels.
+constexpr int kMostRowsATexel = 3;
 
-// Shares of a frame's time at medium, 512x512, while a lamp moves, by group: round figures. What a rung will
-// take is measured in each run (docs/budgets.md).
-constexpr std::array<double, kCostGroups> kShares = {0.34, 0.06, 0.16, 0.08, 0.30, 0.06};
+// Shares of a frame's time at medium, 512x512, while a lamp moves, by group: round means over cornell,
+// two-rooms, lantern-room and puppet (docs/budgets.md). What a rung will take is measured in each run.
+constexpr std::array<double, kCostGroups> kShares = {0.33, 0.03, 0.10, 0.04, 0.17, 0.30, 0.03};
 
 // What the square of the error is made of there: of noise, of the grid, of texels, of photons; the rest is of
 // none of these.
@@ -31,10 +34,13 @@ struct ErrorShares {
     double noise, grid, texels, photons, rest;
 };
 constexpr ErrorShares kErrors = {0.25, 0.15, 0.15, 0.1, 0.35};
+// Indirect light does not depend on the texels of lamps' maps, but edges of shadows do: what they count for
+// beside these, where the order of rungs is chosen.
+constexpr double kShadowEdges = 0.1;
 struct Sizes {
-    int rays, stride, texels, photons;
+    int rays, stride, texels, photons, shadows;
 };
-constexpr Sizes kMeasured = {4, 4, 64, 2000};
+constexpr Sizes kMeasured = {4, 4, 64, 2000, 512};
 
 double square(double x) {
     return x * x;
@@ -42,7 +48,8 @@ double square(double x) {
 
 std::vector<double> cost_of(const Sizes& s) {
     const double points = 1 / square(s.stride);
-    return {points * s.rays, points, square(s.texels), static_cast<double>(s.photons), 1, 1};
+    return {points * s.rays,   points, square(s.texels), static_cast<double>(s.photons), 1,
+            square(s.shadows), 1};
 }
 
 double error_of(const Sizes& s) {
@@ -51,6 +58,11 @@ double error_of(const Sizes& s) {
     return std::sqrt(kErrors.noise * rays + kErrors.grid * square(static_cast<double>(s.stride) / m.stride) +
                      kErrors.texels * square(static_cast<double>(m.texels) / s.texels) +
                      kErrors.photons * m.photons / s.photons + kErrors.rest);
+}
+
+// What is seen of it: shadows' edges are wrong by their texels.
+double harm_of(const Sizes& s) {
+    return std::sqrt(square(error_of(s)) + kShadowEdges * kMeasured.shadows / s.shadows);
 }
 
 double time_of(const Sizes& s) {
@@ -98,6 +110,11 @@ std::vector<Step> steps_from(const Sizes& s, ivec2 size) {
     to = s;
     to.photons = next(kPhotons, s.photons, false);
     add(to, s.photons, to.photons, "photons");
+    to = s;
+    to.shadows = next(kShadows, s.shadows, false);
+    if (to.shadows * kMostRowsATexel >= size.y) {
+        add(to, s.shadows, to.shadows, "shadows");
+    }
     return steps;
 }
 
@@ -107,7 +124,8 @@ BudgetRung rung_of(const Sizes& s, const Sizes& top, std::string name, ivec2 siz
     const double points = static_cast<double>(size.x) * size.y / square(s.stride);
     rung.set = {fmt::format("gi.gather.rays={}", s.rays), fmt::format("gi.gather.grid={}", s.stride),
                 fmt::format("gi.gather.points={}", std::clamp(static_cast<int>(points), 1, 1'000'000)),
-                fmt::format("gi.gather.texels={}", s.texels)};
+                fmt::format("gi.gather.texels={}", s.texels),
+                fmt::format("render.shadow.resolution={}", s.shadows)};
     if (photons) {
         rung.set.push_back(fmt::format("gi.gather.photons={}", s.photons));
     }
@@ -125,7 +143,8 @@ BudgetRung rung_of(const Sizes& s, const Sizes& top, std::string name, ivec2 siz
 BudgetLadder emc_ladder(const Settings& settings, ivec2 size) {
     const GiSettings gi = gi_settings(settings);
     const auto& e = gi.of<EmcSettings>();
-    const Sizes top{e.gather_rays, gather_stride(gi, size), e.gather_texels, e.gather_photons};
+    const Sizes top{e.gather_rays, gather_stride(gi, size), e.gather_texels, e.gather_photons,
+                    settings.get<int>("render.shadow.resolution")};
     BudgetLadder ladder;
     const std::vector<double> measured = cost_of(kMeasured), first = cost_of(top);
     double sum = 0;
@@ -147,7 +166,7 @@ BudgetLadder emc_ladder(const Settings& settings, ivec2 size) {
             return ladder;
         }
         const auto growth = [&](const Step& step) {
-            return std::log(error_of(step.sizes) / error_of(now)) /
+            return std::log(harm_of(step.sizes) / harm_of(now)) /
                    std::log(time_of(now) / time_of(step.sizes));
         };
         const auto best = std::ranges::min_element(steps, {}, growth);

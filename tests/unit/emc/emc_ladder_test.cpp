@@ -64,6 +64,41 @@ TEST(EmcLadder, SplatsAndOtherTechniquesHaveNothingButPixels) {
     EXPECT_GT(quality_ladder(settings, ivec2(512), true).rungs.size(), 4u);
 }
 
+// Where a lamp's maps take most of a frame, as a carried lantern's do: they come before pixels, and no
+// coarser than the picture can show.
+TEST(EmcLadder, MapsOfLampsAreSparedBeforePixels) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    const Settings settings(schema);
+    for (const ivec2 size : {ivec2(256, 144), ivec2(1280, 720)}) {
+        const BudgetLadder ladder = quality_ladder(settings, size, true);
+        constexpr auto kShadows = static_cast<std::size_t>(CostGroup::shadows);
+        double least = 1;
+        for (const BudgetRung& rung : ladder.rungs) {
+            EXPECT_LE(rung.cost[kShadows], least) << rung.name;
+            if (rung.scale < 1) {
+                EXPECT_EQ(rung.cost[kShadows], least) << rung.name;
+            }
+            least = rung.cost[kShadows];
+            Settings lowered = settings;
+            for (const std::string& assignment : rung.set) {
+                lowered.set_from_text(assignment);
+            }
+            const auto share = static_cast<double>(lowered.get<int>("render.shadow.resolution")) /
+                               settings.get<int>("render.shadow.resolution");
+            EXPECT_NEAR(rung.cost[kShadows], share * share, 1e-9) << rung.name;
+        }
+        EXPECT_DOUBLE_EQ(least, size.y < 384 ? 1.0 / 16 : 1.0 / 4) << size.y;
+    }
+}
+
+TEST(GroupCosts, MapsOfLampsAreAGroup) {
+    const std::vector<double> ms =
+        group_costs(std::vector<gpu::PassTimer::Span>{{"light_maps", 0, 9, 12}}, 10, true);
+    EXPECT_EQ(ms[static_cast<std::size_t>(CostGroup::shadows)], 12);
+    EXPECT_EQ(ms[static_cast<std::size_t>(CostGroup::rest)], 0);
+}
+
 TEST(GroupCosts, APassWithinAnotherCountsOnce) {
     const std::vector<gpu::PassTimer::Span> passes = {{"gbuffer", 0, 5, 6},    {"lit_photons", 6, 3, 4},
                                                       {"lit_maps", 6, 10, 14}, {"gather_rays", 17, 4, 5},
