@@ -96,8 +96,10 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
 
 void EmcTechnique::update_lit_maps(const render::LightInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
+    const std::uint64_t before = std::exchange(lit_version_, maps_.version());
     LitMaps::Found found{
-        .other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version(),
+        .other_maps = before != maps_.version(),
+        .exchanged = maps_.exchanged_since(before).value_or(ivec2(-1)),
         .compare = compare_rays_,
         .returned = {},
     };

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -197,7 +199,7 @@ TEST(LitLists, WhatFollowsIsWhatIsMadeFromNothing) {
                 radiosity = gpu::Buffer(static_cast<std::size_t>(texels.shaded_places()) * sizeof(vec4));
                 first = gpu::Buffer(radiosity.bytes());
             }
-            texels.look(maps, now.settings, now.scene, movers, all, radiosity, first);
+            texels.look(maps, now.settings, now.scene, movers, all, ivec2(-1), radiosity, first);
             some.follow(maps, texels, inputs, now.settings, all);
             every.follow(maps, texels, inputs, now.settings, true);
             in_a_row = all ? 0 : in_a_row + 1;
@@ -217,6 +219,88 @@ TEST(LitLists, WhatFollowsIsWhatIsMadeFromNothing) {
         }
     }
     EXPECT_GE(most_in_a_row, kLooks);
+}
+
+// What texels find that look where things have moved and, after an exchange, at what the two maps show.
+TEST(LitLists, AnExchangeOfOneMapIsLookedAtWhereItIsSeen) {
+    Moment now;
+    now.scene = room_with_block();
+    auto& emc = now.settings.edit<EmcSettings>();
+    emc.final_stage = EmcFinal::gather;
+    emc.rays = EmcRays::maps;
+    emc.count = 3;
+    emc.candidates = 12;
+    emc.resolution = 64;
+    emc.gather_texels = 32;
+    emc.gather_photons = 400;
+    Bench bench;
+    struct Looked {
+        LitTexels texels;
+        gpu::Buffer radiosity, first;
+        Followed followed;
+    };
+    Looked some, every;
+    SweptBoxes movers;
+    std::uint64_t version = 0;
+    int exchanges = 0, looked_at = 0;
+    for (int n = 0; n < 80; ++n) {
+        SCOPED_TRACE(n);
+        if (n > 0) {
+            hold_still(now.scene);
+        }
+        const float turn = 0.16f * static_cast<float>(n);
+        put_block(now, vec3(std::sin(turn), 0, 0.6f * std::cos(turn)));
+        bench.settings = now.settings;
+        bench.show(now.scene, kSize);
+        const EnvironmentMaps& maps = dynamic_cast<const EmcTechnique&>(bench.technique()).maps();
+        const Renderer& renderer = bench.app.world().resource<Renderer>();
+        const render::LightInputs inputs = renderer.frame->light_inputs(now.scene, *renderer.timer);
+        inputs.gpu_scene.bind_materials();
+        movers.follow(now.scene, maps.extent(now.scene));
+        const std::uint64_t before = std::exchange(version, maps.version());
+        const std::optional<ivec2> exchanged = maps.exchanged_since(before);
+        exchanges += exchanged.has_value() ? 1 : 0;
+        for (Looked* looked : {&some, &every}) {
+            if (looked->texels.resize(maps, now.settings)) {
+                const auto places = static_cast<std::size_t>(looked->texels.shaded_places());
+                looked->radiosity = gpu::Buffer(places * sizeof(vec4));
+                looked->first = gpu::Buffer(looked->radiosity.bytes());
+            }
+            const bool all = looked == &every || n == 0 || (before != version && !exchanged);
+            looked->texels.look(maps, now.settings, now.scene, movers, all, exchanged.value_or(ivec2(-1)),
+                                looked->radiosity, looked->first);
+            looked->followed.follow(maps, looked->texels, inputs, now.settings, all);
+        }
+        if (exchanged) {
+            looked_at = std::max(looked_at, static_cast<int>(some.texels.looked_at().count()));
+            EXPECT_LT(some.texels.looked_at().count(), every.texels.looked_at().count());
+        }
+        const auto places = static_cast<std::size_t>(some.texels.places());
+        const auto found = some.texels.points().read<vec4>(places);
+        const auto expected = every.texels.points().read<vec4>(places);
+        const auto is_lit = [](const vec4& point) {
+            return std::bit_cast<std::uint32_t>(point.w) != kUnlitPoint;
+        };
+        int others = 0;
+        for (std::size_t i = 0; i < places; ++i) {
+            others += is_lit(found[i]) != is_lit(expected[i]) ||
+                              (is_lit(found[i]) && std::memcmp(&found[i], &expected[i], sizeof(vec4)) != 0)
+                          ? 1
+                          : 0;
+        }
+        ASSERT_EQ(others, 0);
+        // Areas of photons hang on maps that show a texel about as sharply, which only a whole look asks.
+        const std::vector<vec4> light = by_place(some.followed, some.texels.faces());
+        const std::vector<vec4> whole = by_place(every.followed, every.texels.faces());
+        double apart = 0, sum = 0;
+        for (std::size_t i = 1; i < light.size(); i += 2) {
+            apart += std::abs(static_cast<double>(light[i].g) - static_cast<double>(whole[i].g));
+            sum += static_cast<double>(whole[i].g);
+        }
+        EXPECT_LT(apart, 0.01 * sum);
+    }
+    EXPECT_GE(exchanges, 2);
+    EXPECT_GT(looked_at, 0);
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     build_programs();
     RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
     inputs.gpu_scene.bind_materials();
-    const bool look_all = work.look_all || found.other_maps;
+    const bool look_all = work.look_all || (found.other_maps && found.exchanged.x < 0);
     bool all_are_new = false;
     const bool with_photons = work.photon_bounces > 0 || work.sky_apart;  // lamps may come
     if (work.look || (with_photons && !photons_follow_)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        all_are_new =
-            look(maps, settings, inputs.scene, movers, look_all || (with_photons && !photons_follow_));
+        all_are_new = look(maps, settings, inputs.scene, movers,
+                           look_all || (with_photons && !photons_follow_), found.exchanged);
         lists_.follow(texels_, maps, settings, inputs.scene, all_are_new, kTexelRays);
         if (with_photons) {
             photons_.look({maps, texels_, lists_}, settings, inputs.scene, all_are_new);
@@ -113,7 +113,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
     const bool from_sky = sky && (!endless || work.sky_apart);
     // Texels of another map begin with direct light alone.
-    const bool exchanged = all_are_new || look_all || work.recolour;
+    const bool exchanged = all_are_new || look_all || found.other_maps || work.recolour;
     const bool as_before = work.sky_apart && radiosity_holds_ && !endless && !exchanged && !other_sky &&
                            !work.look && !work.shoot;
     const int sweeps = as_before               ? 0
@@ -181,7 +181,7 @@ bool LitMaps::follow_sky(const FrameScene& scene, bool apart) {
 }
 
 bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-                   const SweptBoxes& movers, bool all) {
+                   const SweptBoxes& movers, bool all, const ivec2& exchanged) {
     if (texels_.resize(maps, settings)) {
         const auto places = static_cast<std::size_t>(texels_.places());
         direct_ = gpu::Buffer(places * sizeof(vec4));
@@ -195,7 +195,7 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
         radiosity_holds_ = false;
         all = true;
     }
-    texels_.look(maps, settings, scene, movers, all, radiosity_, first_);
+    texels_.look(maps, settings, scene, movers, all, exchanged, radiosity_, first_);
     frames_ = 0;
     return all;
 }

@@ -27,6 +27,7 @@ class LitMaps {
     // What is known once the maps are up to date.
     struct Found {
         bool other_maps = false;  // some have taken the place of others: all texels look again
+        ivec2 exchanged{-1};      // unless it is one alone: of its slot, and that of the map that left
         bool compare = false;     // rays through the maps and exact ones are timed, and the faster shot
         std::vector<Returned> returned;
     };
@@ -75,7 +76,7 @@ class LitMaps {
     bool follow_sky(const FrameScene& scene, bool apart);
     // Whether all texels did.
     bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-              const SweptBoxes& movers, bool all);
+              const SweptBoxes& movers, bool all, const ivec2& exchanged);
     double time_of(const RayScene& rays);
     void light(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                const SweptBoxes& movers, bool all, bool looked, const gpu::Buffer& bad_values);

@@ -42,7 +42,7 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
 }
 
 void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-                     const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity,
+                     const SweptBoxes& movers, bool all, const ivec2& exchanged, const gpu::Buffer& radiosity,
                      const gpu::Buffer& first) {
     if (!all_) {
         all_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_touched.comp"}, {"ALL 1", "BOXES 1"});
@@ -57,6 +57,9 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
         all ? all_ : touched_.use(movers.boxes(), kTexelMargin * maps.extent(scene));
     maps.bind(touched, 0, 1, settings, scene);
     bind(touched, points_view_, 2);
+    if (!all) {
+        touched.set("exchanged", exchanged);
+    }
     sharper_.bind_storage(6);
     listed_.bind_storage(7);
     dispatch_items(blocks());

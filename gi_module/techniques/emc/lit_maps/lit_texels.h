@@ -22,12 +22,14 @@ class LitTexels {
 
     // Room for `settings` and as many maps; whether that is another than before.
     bool resize(const EnvironmentMaps& maps, const GiSettings& settings);
-    // Looks at the maps again: at all texels, or, if maps are those of before, at those between
-    // which and any map's centre things have moved. `radiosity`, `first`: vec4 by place; a < 0 is written
-    // where no texel is lit, and `radiosity` 0 for those that were not before. Cost: a look at every map's
-    // centre a texel; else a few a block, and the same for about a quarter of the texels.
+    // Looks at the maps again: at all texels, or, if maps are those of before but for the one that has come
+    // to slot exchanged.x, when that of exchanged.y left (-1: none), at those between which and any map's
+    // centre things have moved and those that show what these two show. `radiosity`, `first`: vec4 by place;
+    // a < 0 is written where no texel is lit, and `radiosity` 0 for those that were not before. Cost: a look
+    // at every map's centre a texel; else a few a block, and the same for about a quarter of the texels.
     void look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-              const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity, const gpu::Buffer& first);
+              const SweptBoxes& movers, bool all, const ivec2& exchanged, const gpu::Buffer& radiosity,
+              const gpu::Buffer& first);
 
     // What the listed texels reflect, where colours alone have changed since they looked.
     void recolour(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,

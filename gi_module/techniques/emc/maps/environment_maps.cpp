@@ -73,6 +73,7 @@ bool EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
         centres_[slot] = centre_at(i);
         replace(slot_of_[i], centres_[slot], settings);
     }
+    version_ += changes.replaced.empty() ? 0 : 1;
     if (changes.faded >= 0) {
         fade_to(static_cast<std::size_t>(changes.faded), scene, gpu_scene, settings);
     }
@@ -148,7 +149,7 @@ void EnvironmentMaps::replace(int slot, const vec3& centre, const GiSettings& se
 
 void EnvironmentMaps::fade_to(std::size_t place, const FrameScene& scene, const render::GpuScene& gpu_scene,
                               const GiSettings& settings) {
-    ++version_;
+    faded_to_ = ++version_;
     fade_in_ = spare_slot_;
     spare_slot_ = slot_of_[place];
     slot_of_[place] = fade_in_;
@@ -156,6 +157,11 @@ void EnvironmentMaps::fade_to(std::size_t place, const FrameScene& scene, const 
     fade_ = fade_step(settings);
     replace(fade_in_, centres_[static_cast<std::size_t>(fade_in_)], settings);
     redraw(scene, gpu_scene);
+}
+
+std::optional<ivec2> EnvironmentMaps::exchanged_since(std::uint64_t version) const {
+    const bool alone = version_ == version + 1 && faded_to_ == version_ && fading();
+    return alone ? std::optional(ivec2(fade_in_, spare_slot_)) : std::nullopt;
 }
 
 void EnvironmentMaps::add(int maps, const FrameScene& scene, const render::GpuScene& gpu_scene,

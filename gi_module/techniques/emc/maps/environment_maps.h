@@ -85,7 +85,10 @@ class EnvironmentMaps {
     int count() const { return static_cast<int>(selected().size()); }
     int faces_drawn() const { return maps_->faces_touched(); }  // when maps were drawn last
     std::uint64_t version() const { return version_; }          // grows when maps take the place of others
-    std::vector<vec4> slots_in_use() const;                     // by map, for shaders: x
+    // Where one map alone has taken the place of another since that version: its slot, and that of the map
+    // that left.
+    std::optional<ivec2> exchanged_since(std::uint64_t version) const;
+    std::vector<vec4> slots_in_use() const;                          // by map, for shaders: x
     int slots() const { return static_cast<int>(centres_.size()); }  // one more: of a fade
     EmcStatistics statistics() const;
     ivec2 reserved_slots() const;  // -1: none
@@ -119,6 +122,7 @@ class EnvironmentMaps {
     int fade_in_ = -1;           // slot fading in, or -1
     float fade_ = 1;             // share of photons that use the new map
     std::uint64_t version_ = 0;
+    std::uint64_t faded_to_ = 0;  // version_ of the last fade
 };
 
 }  // namespace lanthorn::gi
