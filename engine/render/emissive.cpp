@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/scene/emissive_pieces.h"
+#include "engine/scene/kept_emissive_pieces.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/scene/instance_shape.h"
 
@@ -17,26 +17,6 @@ using Corners = std::array<vec3, 3>;
 
 Corners wound(const Corners& p, bool mirrored) {
     return mirrored ? Corners{p[0], p[2], p[1]} : p;
-}
-
-// Over the mesh as it is at rest.
-vec3 mean_share(const Mesh& mesh, const EmissivePieces& pieces) {
-    dvec3 sum(0);
-    double whole = 0;
-    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
-        Corners p;
-        for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = mesh.vertices[mesh.indices[3 * t + k]].position;
-        }
-        const auto area = [](const Corners& c) {
-            return 0.5 * static_cast<double>(glm::length(glm::cross(c[1] - c[0], c[2] - c[0])));
-        };
-        whole += area(p);
-        for (const EmissivePiece& piece : pieces.of(t)) {
-            sum += area(piece.within(p)) * dvec3(piece.share);
-        }
-    }
-    return whole > 0 ? vec3(sum / whole) : vec3(0);
 }
 
 }  // namespace
@@ -68,30 +48,14 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     ++version_;
 }
 
-const EmissivePieces* EmissiveTriangles::pieces_of(const SceneAssets& assets, std::uint32_t mesh) {
-    const std::uint32_t material = assets.meshes[mesh].material;
-    if (!glows_in_pieces(assets.materials[material])) {
-        return nullptr;
-    }
-    pieces_.resize(std::max(pieces_.size(), assets.meshes.size()));
-    Pieces& kept = pieces_[mesh];
-    const AssetVersion<Material>& version = assets.materials.version(material);
-    const Pieces now{serial_, assets.meshes.version(mesh).any, material,
-                     std::max(version.emission, version.surface), nullptr};
-    if (kept.serial != now.serial || kept.mesh != now.mesh || kept.material != now.material ||
-        kept.emission != now.emission) {
-        kept = now;
-        kept.pieces = std::make_shared<const EmissivePieces>(
-            emissive_pieces(assets, assets.meshes[mesh], assets.materials[material]));
-    }
-    return kept.pieces.get();
-}
-
 void EmissiveTriangles::build(const FrameScene& scene) {
     const SceneAssets& assets = *scene.assets;
     triangles_.clear();
     at_rest_.clear();
     surfaces_.clear();
+    if (!pieces_) {
+        pieces_ = std::make_shared<KeptEmissivePieces>();
+    }
     dvec3 total(0);
     for (const Instance& instance : scene.instances) {
         const InstanceShape shape(scene, instance);
@@ -104,8 +68,8 @@ void EmissiveTriangles::build(const FrameScene& scene) {
         const bool refined = shape.deformed() != nullptr && shape.deformed()->refined != nullptr;
         const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
         // Subdivision makes triangles of its own, which have the mean of what the mesh's have.
-        const EmissivePieces* pieces = pieces_of(assets, instance.mesh);
-        const vec3 mean = pieces != nullptr && refined ? mean_share(mesh, *pieces) : vec3(1);
+        const std::shared_ptr<const EmissivePieces> pieces = pieces_->of(assets, instance.mesh);
+        const vec3 mean = pieces != nullptr && refined ? mean_share(mesh, mat4(1), *pieces) : vec3(1);
         Surface surface{instance.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
         dvec3 flux(0);
         const auto add = [&](const Corners& shown, const Corners& rest, const vec3& radiance) {

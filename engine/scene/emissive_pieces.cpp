@@ -261,4 +261,23 @@ EmissivePieces emissive_pieces(const SceneAssets& assets, const Mesh& mesh, cons
     return result;
 }
 
+vec3 mean_share(const Mesh& mesh, const mat4& transform, const EmissivePieces& pieces) {
+    dvec3 sum(0);
+    double whole = 0;
+    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        Corners p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = vec3(transform * vec4(mesh.vertices[mesh.indices[3 * t + k]].position, 1));
+        }
+        const auto area = [](const Corners& c) {
+            return 0.5 * static_cast<double>(glm::length(glm::cross(c[1] - c[0], c[2] - c[0])));
+        };
+        whole += area(p);
+        for (const EmissivePiece& piece : pieces.of(t)) {
+            sum += area(piece.within(p)) * dvec3(piece.share);
+        }
+    }
+    return whole > 0 ? vec3(sum / whole) : vec3(0);
+}
+
 }  // namespace lanthorn

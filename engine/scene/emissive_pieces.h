@@ -64,4 +64,8 @@ bool glows_in_pieces(const Material& material);
 // coordinates; alpha counts as AlphaMode says. O(texels that the mesh shows, 64 a piece at most).
 EmissivePieces emissive_pieces(const SceneAssets& assets, const Mesh& mesh, const Material& material);
 
+// What of emitted() leaves the mesh where it stands so: the mean of its pieces' shares over its area, rgb
+// 0..1; 0 without area. O(triangles + pieces).
+vec3 mean_share(const Mesh& mesh, const mat4& transform, const EmissivePieces& pieces);
+
 }  // namespace lanthorn

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <span>
 
@@ -11,28 +10,34 @@
 
 namespace lanthorn::reference {
 
-Emitters::Emitters(TraceScene& scene, const MaterialTable& materials)
+std::shared_ptr<const EmissivePieces> pieces_of(const TraceScene& scene, std::uint32_t instance,
+                                                KeptEmissivePieces& kept) {
+    const SceneAssets& assets = *scene.frame().assets;
+    const TraceInstance& of = scene.instances()[instance];
+    const std::uint32_t slot = scene.frame().instances[instance].mesh;
+    if (of.mesh->indices == assets.meshes[slot].indices) {
+        return kept.of(assets, slot);
+    }
+    const Material& material = assets.materials[of.material];
+    return gives_light(material) && glows_in_pieces(material)
+               ? std::make_shared<const EmissivePieces>(emissive_pieces(assets, *of.mesh, material))
+               : nullptr;
+}
+
+Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, KeptEmissivePieces* kept)
     : scene_(scene), materials_(materials), pieces_(scene.instances().size()) {
     for (TraceTriangle& triangle : scene.triangles()) {
         triangle.emitter = kNoEmitter;
     }
     std::vector<double> flux;
-    std::map<const Mesh*, std::shared_ptr<const EmissivePieces>> cut;
-    const SceneAssets& assets = *scene.frame().assets;
+    KeptEmissivePieces own;
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const TraceInstance& instance = scene.instances()[i];
         const MaterialConstants& material = materials[instance.material];
         if (!material.emits) {
             continue;
         }
-        if (glows_in_pieces(assets.materials[instance.material])) {
-            std::shared_ptr<const EmissivePieces>& pieces = cut[instance.mesh];
-            if (!pieces) {
-                pieces = std::make_shared<const EmissivePieces>(
-                    emissive_pieces(assets, *instance.mesh, assets.materials[instance.material]));
-            }
-            pieces_[i] = pieces;
-        }
+        pieces_[i] = pieces_of(scene, i, kept != nullptr ? *kept : own);
         const auto count = static_cast<std::uint32_t>(instance.mesh->indices.size() / 3);
         for (std::uint32_t k = 0; k < count; ++k) {
             const auto first = static_cast<std::uint32_t>(triangles_.size());

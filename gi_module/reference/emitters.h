@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/scene/emissive_pieces.h"
+#include "engine/scene/kept_emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
 
@@ -33,11 +33,16 @@ struct EmitterTriangle {
     std::uint32_t piece = 0;  // of its triangle, if that was cut
 };
 
+// What the instance's triangles are cut into; null: they glow evenly. Those that subdivision made, or that
+// are fewer than the mesh's, are cut each time.
+std::shared_ptr<const EmissivePieces> pieces_of(const TraceScene& scene, std::uint32_t instance,
+                                                KeptEmissivePieces& kept);
+
 class Emitters {
   public:
     // Writes TraceTriangle::emitter of every triangle. What is blended emits what it shows: its emission
-    // times alpha.
-    Emitters(TraceScene& scene, const MaterialTable& materials);
+    // times alpha. `kept`: pieces of the frames before; null: all are cut.
+    Emitters(TraceScene& scene, const MaterialTable& materials, KeptEmissivePieces* kept = nullptr);
 
     bool empty() const { return triangles_.empty(); }
     // Whether there are so many that choosing one needs a number of its own; else draw() splits it off `u`.

@@ -5,6 +5,7 @@ namespace lanthorn::gi {
 void FollowedScene::clear() {
     scene_.reset();
     materials_.reset();
+    pieces_ = {};
 }
 
 bool FollowedScene::follow(const FrameScene& scene, RayDetail detail) {

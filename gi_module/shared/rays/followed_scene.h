@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/scene/kept_emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
 #include "gi_module/shared/rays/exact_rays.h"
@@ -24,11 +25,13 @@ class FollowedScene {
     reference::TraceScene& scene() { return *scene_; }
     const reference::TraceScene& scene() const { return *scene_; }
     const reference::MaterialTable& materials() const { return *materials_; }
+    KeptEmissivePieces& pieces() { return pieces_; }  // of what glows
     std::uint64_t builds() const { return builds_; }  // of the whole scene so far
 
   private:
     std::optional<reference::MaterialTable> materials_;
     std::optional<reference::TraceScene> scene_;
+    KeptEmissivePieces pieces_;
     RayShapes shapes_;
     std::uint64_t builds_ = 0;
 };

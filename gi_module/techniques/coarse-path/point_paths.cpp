@@ -38,7 +38,7 @@ void PointPaths::clear() {
 
 void PointPaths::follow(const FrameScene& scene) {
     if (scene_.follow(scene) || !emitters_) {
-        emitters_.emplace(scene_.scene(), scene_.materials());
+        emitters_.emplace(scene_.scene(), scene_.materials(), &scene_.pieces());
     }
     lights_.emplace(scene);
     if (of_sky_ != scene.sky) {

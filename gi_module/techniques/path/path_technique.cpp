@@ -90,7 +90,7 @@ void PathTechnique::update(const render::LightInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
     const FrameScene& scene = inputs.scene;
     if (scene_.follow(scene) || plan_.begins_again) {
-        emitters_.emplace(scene_.scene(), scene_.materials());
+        emitters_.emplace(scene_.scene(), scene_.materials(), &scene_.pieces());
         lights_.emplace(scene);
     }
     if (of_sky_ != scene.sky) {

@@ -120,6 +120,21 @@ TEST(BlendedEmitters, LightLeavesFromWhereAlphaIs) {
     EXPECT_NEAR(lux() / (support::kPiD * static_cast<double>(kNits) * faded), 1, 0.01);
 }
 
+// Those of a scene that is built again have the pieces that are kept, in any pose.
+TEST(BlendedEmitters, ShareThePiecesThatAreKept) {
+    FrameScene scene =
+        scene_of({quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 0)}, {glowing(0.5f)}, {}, vec3(0), vec3(0, 0, 1));
+    const MaterialTable materials(*scene.assets);
+    KeptEmissivePieces kept;
+    TraceScene traced(scene, materials);
+    const Emitters first(traced, materials, &kept);
+    const auto pieces = kept.of(*scene.assets, 0);
+    ASSERT_TRUE(pieces);
+    EXPECT_EQ(pieces.use_count(), 3) << "here, where they are kept, and in the emitters";
+    const Emitters second(traced, materials, &kept);
+    EXPECT_EQ(pieces.use_count(), 4);
+}
+
 TEST(BlendedEmitters, WithoutAlphaThereIsNone) {
     const FrameScene scene =
         scene_of({quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 0)}, {glowing(0)}, {}, vec3(0), vec3(0, 0, 1));

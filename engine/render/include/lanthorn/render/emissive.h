@@ -11,7 +11,7 @@
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn {
-class EmissivePieces;
+class KeptEmissivePieces;
 }
 
 namespace lanthorn::render {
@@ -58,21 +58,12 @@ class EmissiveTriangles {
         mat4 transform{1};
         bool operator==(const Source&) const = default;
     };
-    struct Pieces {
-        std::uint64_t serial = 0;    // of the assets
-        std::uint64_t mesh = 0;      // AssetVersion<Mesh>
-        std::uint32_t material = 0;  // the mesh's
-        std::uint64_t emission = 0;  // AssetVersion<Material>: the later of emission and surface
-        std::shared_ptr<const EmissivePieces> pieces;
-    };
-    // Of a mesh that glows_in_pieces(); else null.
-    const EmissivePieces* pieces_of(const SceneAssets& assets, std::uint32_t mesh);
     void build(const FrameScene& scene);
 
     std::uint64_t serial_ = 0;
     std::uint64_t last_frame_ = 0;
     std::uint64_t version_ = 0;
-    std::vector<Pieces> pieces_;  // by slot of the meshes
+    std::shared_ptr<KeptEmissivePieces> pieces_;  // null before the first build()
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;
