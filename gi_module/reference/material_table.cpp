@@ -94,32 +94,6 @@ SurfaceMaterial surface_at(const Material& m, const vec4& base, const Textures& 
     return s;
 }
 
-// Over the texels of all its image.
-vec4 mean_of(const SceneAssets& assets, const TextureRef& ref) {
-    const Texture& texture = assets.textures[ref.texture];
-    const Image& image = assets.images[texture.image];
-    glm::dvec4 sum(0);
-    const vec2 size(image.width, image.height);
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            const vec2 centre = vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) / size;
-            sum += glm::dvec4(sample_texture(assets, texture, centre, true));
-        }
-    }
-    return vec4(sum / std::max(1.0, static_cast<double>(image.width) * image.height));
-}
-
-vec3 mean_emission(const Material& m, const SceneAssets& assets) {
-    vec3 mean = emitted(m);
-    if (gives_light(m) && m.emissive_texture.present()) {
-        mean *= vec3(mean_of(assets, m.emissive_texture));
-    }
-    if (gives_light(m) && m.alpha_mode == AlphaMode::blend && m.base_colour_texture.present()) {
-        mean *= mean_of(assets, m.base_colour_texture).a;
-    }
-    return mean;
-}
-
 // As albedo_to_keep() and kept_albedo() of engine/render.
 vec3 reflectance_of(const MaterialConstants& c, const vec3& base, float metallic, float transmission,
                     float roughness) {
@@ -150,7 +124,7 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.sees_through = !c.volume && (c.blend || (m.transmission > 0 && is_smooth(m.roughness)));
     c.reflects = MaterialReflectance::of(m);
     c.reflectance = reflectance_of(c, vec3(m.base_colour), m.metallic, m.transmission, m.roughness);
-    c.mean_emission = mean_emission(m, assets);
+    c.emitted = emitted(m);
     c.untextured = c.plain && !m.emissive_texture.present() && !m.occlusion_texture.present() &&
                    !m.specular_texture.present() && !m.specular_colour_texture.present();
     if (c.untextured) {
@@ -223,7 +197,7 @@ vec3 MaterialTable::emission(const TraceInstance& instance, std::uint32_t primit
                              const vec2& barycentric) const {
     const MaterialConstants& constants = constants_[instance.material];
     if (constants.emits_evenly) {
-        return constants.mean_emission;
+        return constants.emitted;
     }
     if (cut_out(instance, primitive, barycentric)) {
         return vec3(0);

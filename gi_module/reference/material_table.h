@@ -36,7 +36,7 @@ struct MaterialConstants {
     bool double_sided = false;
     bool unlit = false;
     bool emits = false;         // gives_light()
-    bool emits_evenly = false;  // the same everywhere: mean_emission
+    bool emits_evenly = false;  // the same everywhere: emitted
     bool transmits = false;     // some of the light, smoothly or roughly
     bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
     bool volume = false;        // bounds one that light enters: bent, and absorbed on its way
@@ -44,7 +44,7 @@ struct MaterialConstants {
     vec3 absorption{0};         // of the volume, 1/m
     MaterialReflectance reflects;
     vec3 reflectance{0};     // of a plain material with white vertex colours
-    vec3 mean_emission{0};   // nits; means of the emissive texture and of a blended one's alpha taken in
+    vec3 emitted{0};         // nits, by factors alone (emissive_pieces.h)
     bool untextured = true;  // the same everywhere, where vertex colours are white: surface
     SurfaceMaterial surface;
 };

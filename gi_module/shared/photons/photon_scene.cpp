@@ -14,7 +14,7 @@ bool PhotonScene::follow(const FrameScene& scene, PhotonScattering scattering) {
     scattering_ = scattering;
     known_ = true;
     if (changed) {
-        sources_ = PhotonSources(scene_.scene(), scene_.materials());
+        sources_ = PhotonSources(scene_.scene(), scene_.materials(), &scene_.pieces());
     }
     return changed;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gi_module/reference/emitters.h"
 #include "gi_module/reference/random.h"
 #include "gi_module/reference/sampling.h"
 
@@ -91,7 +92,8 @@ void PhotonSources::add(const dvec3& flux, Source source, std::vector<Colour>& c
     found->sources.push_back(source);
 }
 
-PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials)
+PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
+                             KeptEmissivePieces* kept)
     : scene_(&scene), materials_(&materials) {
     const FrameScene& frame = scene.frame();
     if (frame.bounds.empty()) {
@@ -108,6 +110,7 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
         add(dvec3(light.colour) * (static_cast<double>(light.intensity) * aims_[i].size), {0, i, false},
             colours);
     }
+    KeptEmissivePieces own;
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const reference::TraceInstance& instance = scene.instances()[i];
         const reference::MaterialConstants& material = materials[instance.material];
@@ -115,6 +118,9 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
             continue;
         }
         const mat4& transform = frame.instances[i].transform;
+        const auto pieces = reference::pieces_of(scene, i, kept != nullptr ? *kept : own);
+        const vec3 share = pieces ? mean_share(*instance.mesh, transform, *pieces) : vec3(1);
+        const vec3 mean = material.emitted * share;
         const auto& indices = instance.mesh->indices;
         for (std::uint32_t k = 0; k < indices.size() / 3; ++k) {
             dvec3 p[3];
@@ -123,11 +129,11 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
                 p[v] = dvec3(vec3(transform * vec4(vertex.position, 1)));
             }
             const double area = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
-            add(dvec3(material.mean_emission) * (area * pi * (material.double_sided ? 2 : 1)),
+            add(dvec3(mean) * (area * pi * (material.double_sided ? 2 : 1)),
                 {0, static_cast<std::uint32_t>(triangles_.size()), true}, colours);
             const reference::TraceTriangle& traced = scene.triangles()[instance.first_triangle + k];
             triangles_.push_back({vec3(p[0]), vec3(p[1] - p[0]), vec3(p[2] - p[0]), traced.normal,
-                                  traced.offset, i, k, material.double_sided, material.emits_evenly});
+                                  traced.offset, i, k, material.double_sided, material.emits_evenly, mean});
         }
     }
     double total = 0;
@@ -229,10 +235,9 @@ PhotonStart PhotonSources::from_triangle(const Triangle& t, const vec3& flux, co
     start.flux = flux;
     if (!t.even) {
         const reference::TraceInstance& instance = scene_->instances()[t.instance];
-        const vec3& mean = (*materials_)[instance.material].mean_emission;
         const vec3 here = materials_->emission(instance, t.primitive, {b.y, b.z});
         for (glm::length_t c = 0; c < 3; ++c) {
-            start.flux[c] *= mean[c] > 0 ? here[c] / mean[c] : 0.0f;
+            start.flux[c] *= t.mean[c] > 0 ? here[c] / t.mean[c] : 0.0f;
         }
     }
     return start;

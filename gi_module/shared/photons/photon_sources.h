@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/kept_emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
 #include "gi_module/shared/caustics/caustic_aim.h"
@@ -40,8 +41,11 @@ struct PhotonStart {
 class PhotonSources {
   public:
     PhotonSources() = default;  // none: no light
-    // `scene` and `materials` must outlive this. O(lights + emissive triangles + pixels of the sky).
-    PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials);
+    // `scene` and `materials` must outlive this. `kept`: pieces of the frames before; null: all are cut.
+    // O(lights
+    // + emissive triangles and pieces + pixels of the sky).
+    PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
+                  KeptEmissivePieces* kept = nullptr);
 
     bool empty() const { return groups_.empty(); }
     std::span<const LightGroup> groups() const { return groups_; }
@@ -95,6 +99,7 @@ class PhotonSources {
         float offset = 0;
         std::uint32_t instance = 0, primitive = 0;
         bool both = false, even = true;  // sides, emission
+        vec3 mean{0};                    // nits, over the instance's area
     };
     struct Colour {
         std::uint64_t key = 0;  // chromaticity

@@ -67,7 +67,7 @@ bool ShotScene::follow(const FrameScene& scene, float simplify) {
     const bool other_surfaces = scene_.follow(scene, reduced(scene, simplify));
     const bool changed = other_surfaces || other_shapes || scene.changes.lights;
     if (changed) {
-        sources_ = PhotonSources(scene_.scene(), scene_.materials());
+        sources_ = PhotonSources(scene_.scene(), scene_.materials(), &scene_.pieces());
     }
     return changed;
 }

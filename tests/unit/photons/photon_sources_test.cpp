@@ -110,6 +110,42 @@ TEST(PhotonSources, ABlendedEmitterSendsItsAlpha) {
     }
 }
 
+// A texture that glows on the left half of a panel, which fades in from there along x: what its walks begin
+// with is the mean of the product, 1/8, so that what they bring hardly differs from one run of numbers to
+// another.
+TEST(PhotonSources, APanelsFluxIsItsMeanEmissionTimesAlpha) {
+    Material lamp = support::lamp(vec3(8, 16, 4));
+    lamp.alpha_mode = AlphaMode::blend;
+    lamp.base_colour.a = 0.5f;
+    lamp.emissive_texture.texture = 0;
+    Mesh panel = support::quad(vec3(-0.1f), vec3(0.2f, 0, 0), vec3(0, 0.3f, 0), 1);
+    for (Vertex& v : panel.vertices) {
+        const float x = v.position.x > 0 ? 1.0f : 0.0f;
+        v.uv0 = vec2(x, v.position.y > 0 ? 1.0f : 0.0f);
+        v.colour.a = x;
+    }
+    FrameScene scene = scene_of({support::box(vec3(-1), vec3(1), true, 0), panel},
+                                {lambertian(vec3(0)), lamp}, {}, vec3(0), vec3(0, 0, 1));
+    SceneAssets assets = *scene.assets;
+    Image image;
+    image.width = 2;
+    image.height = 1;
+    image.rgba = {255, 255, 255, 255, 0, 0, 0, 255};
+    assets.images.push_back(image);
+    Texture texture;
+    texture.sampler.mag = Filter::nearest;
+    assets.textures.push_back(texture);
+    scene.assets = std::make_shared<const SceneAssets>(assets);
+    const Traced traced(scene, kWalks);
+    const dvec3 on_paper = dvec3(8, 16, 4) * (0.5 / 8 * kPiD * 0.2 * 0.3);
+    ASSERT_EQ(traced.scene.sources().groups().size(), 1u);
+    const vec3 flux = traced.scene.sources().groups()[0].flux;
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(static_cast<double>(flux[c]) / on_paper[c], 1, 0.01);
+        EXPECT_NEAR(traced.after(0)[c] / on_paper[c], 1, 0.03);
+    }
+}
+
 TEST(PhotonSources, AFloorUnderAnEvenSkyGetsPiTimesItsRadiance) {
     FrameScene scene = scene_of({floor_quad(0)}, {lambertian(vec3(0))}, {}, vec3(0, 3, 0), vec3(0));
     auto image = std::make_shared<SkyImage>();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace lanthorn {
 namespace {
@@ -187,6 +188,24 @@ TEST(EmissivePieces, AlphaOfNoiseKeepsItsLightAndIsBounded) {
     const EmissivePieces pieces = emissive_pieces(b.assets, b.mesh, b.material);
     EXPECT_LE(pieces.of(0).size() + pieces.of(1).size(), 16384U);
     EXPECT_NEAR(light_of(pieces) / (solid / (512.0 * 512)), 1, 0.02);
+}
+
+// A fade over the board's left half, which alone glows: the mean of the product, not that of each of them.
+TEST(EmissivePieces, TheMeanIsOfEmissionTimesAlphaOverTheArea) {
+    Board b = board(2, [](auto x, auto) { return x == 0; });
+    b.material.alpha_mode = AlphaMode::blend;
+    for (Vertex& vertex : b.mesh.vertices) {
+        vertex.colour.a = vertex.position.x;
+    }
+    const EmissivePieces pieces = emissive_pieces(b.assets, b.mesh, b.material);
+    EXPECT_NEAR(mean_share(b.mesh, mat4(1), pieces).x, 1.0 / 8, 2e-3);
+    EXPECT_NEAR(mean_share(b.mesh, glm::scale(mat4(1), vec3(2, 0.1f, 3)), pieces).x, 1.0 / 8, 2e-3);
+    // The second triangle, above the diagonal, with three times its area. What glows below it has 1/24, the
+    // integral of x^2 from 0 to 1/2.
+    b.mesh.vertices[3].position.z = 2;
+    const double below = 2.0 / 24, above = 2 * (1.0 / 8 - 1.0 / 24);  // means
+    EXPECT_NEAR(mean_share(b.mesh, mat4(1), pieces).x, (below + 3 * above) / 4, 2e-3);
+    EXPECT_EQ(mean_share(Mesh(), mat4(1), emissive_pieces(b.assets, Mesh(), b.material)), vec3(0));
 }
 
 // Coordinates that are no number, and a texture without texels.

@@ -200,6 +200,11 @@ TEST(DefaultLight, ComesBesideAFilamentThatIsTooFaintUnderTheOpenSky) {
     SceneData bright = bare();
     add_filament(bright, 5000, dvec3(1e5, 0, 0));
     EXPECT_FALSE(add_default_light(bright, ""));
+    bright.materials.back().alpha_mode = AlphaMode::blend;
+    for (Vertex& v : bright.meshes.back().vertices) {
+        v.colour.a = 0.2f;
+    }
+    EXPECT_TRUE(add_default_light(bright, "")) << "it shines as far as it is covered";
 }
 
 // glTF's emissiveFactor is at most 1: whoever means a lamp says how strong it is.

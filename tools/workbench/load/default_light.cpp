@@ -10,6 +10,7 @@
 
 #include "engine/core/json.h"
 #include "engine/runtime/chosen_camera.h"
+#include "engine/scene/kept_emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/sampling.h"
 #include "gi_module/reference/trace_scene.h"
@@ -124,12 +125,15 @@ class Surroundings {
     // Lux, if all that surfaces emit fell evenly on the box around the scene.
     double glow() const {
         double flux = 0;  // lumen
+        KeptEmissivePieces kept;
         for (const Instance& instance : frame_.instances) {
             const Mesh& mesh = frame_.assets->meshes[instance.mesh];
             const reference::MaterialConstants& material = materials_[mesh.material];
             if (material.emits) {
                 const double sides = material.double_sided ? 2 : 1;
-                flux += sides * kPi * luminance(dvec3(material.mean_emission)) *
+                const auto pieces = kept.of(*frame_.assets, instance.mesh);
+                const vec3 share = pieces ? mean_share(mesh, instance.transform, *pieces) : vec3(1);
+                flux += sides * kPi * luminance(dvec3(material.emitted * share)) *
                         area_of(mesh, instance.transform);
             }
         }
