@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/lit_maps/lit_maps.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "gi_module/techniques/emc/faster.h"
 #include "lanthorn/emc/emc_settings.h"
@@ -53,7 +54,10 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         texels_.recolour(maps, settings, inputs.scene, lists_.lit());
     }
     const bool endless = settings.of<EmcSettings>().gather_endless, sky = inputs.scene.sky.has_value();
-    has_indirect_ = bounces > 1 || sky;
+    const bool had_indirect = std::exchange(has_indirect_, bounces > 1 || sky);
+    if (had_indirect != has_indirect_) {
+        carry_close();
+    }
     const bool other_sky = follow_sky(inputs.scene, work.sky_apart);
     if (work.forget) {
         hits_.forget();
@@ -318,6 +322,15 @@ void LitMaps::light_close(const render::LightInputs& inputs, const EnvironmentMa
     bad_values.bind_storage(1);
     close.listed().dispatch();
     wait_for_shaders();
+}
+
+// To the other buffer: rays are guided by what close hits reflected in the frame before, which holds for the
+// light that it was lit for and is nowhere else.
+void LitMaps::carry_close() {
+    const gpu::Buffer& before = has_indirect_ ? first_ : radiosity_;
+    const auto first = static_cast<GLintptr>(static_cast<std::size_t>(texels_.all_places()) * sizeof(vec4));
+    glCopyNamedBufferSubData(before.id(), radiosity().id(), first, first,
+                             static_cast<GLsizeiptr>(CloseHits::kAllSlots * sizeof(vec4)));
 }
 
 void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {

@@ -91,6 +91,7 @@ class LitMaps {
                  const gpu::Buffer& irradiance, float most_albedo, const gpu::Buffer& direct,
                  const gpu::Buffer& reflected);
     void add_sky(bool lamps);
+    void carry_close();
     void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     LitTexels texels_;
