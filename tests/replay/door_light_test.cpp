@@ -12,6 +12,7 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
@@ -31,13 +32,6 @@ PlayerInput played(std::uint64_t step) {
 }
 
 // Median, so that the little of the lit half that is seen through the doorway does not count.
-double median(const ImageF& image) {
-    std::vector<float> values = image.pixels;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // RMS of the difference, relative to `scale`.
 double change(const ImageF& a, const ImageF& b, double scale) {
     double sum = 0;
@@ -87,7 +81,7 @@ TEST(DoorLight, BrightensTheDarkHalfWithoutFlicker) {
     const std::vector<Frame> frames = film();
     std::vector<double> lux;
     for (const Frame& frame : frames) {
-        lux.push_back(median(frame.irradiance));
+        lux.push_back(static_cast<double>(support::median(frame.irradiance.pixels)));
     }
     const double before = lux.front(), after = lux.back();
     RecordProperty("lux_before", std::to_string(before));

@@ -12,9 +12,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
 #include <cstring>
-#include <ctime>
 
 #include "lanthorn/animation/animator.h"
 #include "lanthorn/deformation/deformation.h"
@@ -23,6 +21,7 @@
 #include "lanthorn/scene/transforms.h"
 #include "tests/bench/animation/keyed_clip.h"
 #include "tests/bench/deformation/crowd.h"
+#include "tests/support/clocks.h"
 
 namespace deformation_bench {
 namespace {
@@ -41,11 +40,10 @@ struct Stopwatch {
 
     template <class Work>
     void time(const Work& work) {
-        const auto from = std::chrono::steady_clock::now();
-        const std::clock_t processor_from = std::clock();
+        const double wall_from = support::wall_seconds(), processor_from = support::processor_seconds();
         work();
-        processor += double(std::clock() - processor_from) / CLOCKS_PER_SEC;
-        wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+        processor += support::processor_seconds() - processor_from;
+        wall += support::wall_seconds() - wall_from;
     }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/bench/ecs/contender.h"
+#include "tests/support/median.h"
 
 namespace lanthorn::ecs {
 namespace {
@@ -44,11 +45,6 @@ void run(Column& column, std::size_t count) {
     time(4, [&] { contender->destroy(); });
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 }  // namespace
 
 void print_table() {
@@ -73,7 +69,7 @@ void print_table() {
         for (std::size_t work = 0; work < kWork.size(); ++work) {
             std::printf("%-9zu %-14s", count, kWork[work]);
             for (Column& column : columns) {
-                std::printf(" %9.2f", median(column.times[work]));
+                std::printf(" %9.2f", support::median(column.times[work]));
                 column.times[work].clear();
             }
             std::printf("\n");

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <span>
 #include <string>
@@ -20,6 +19,8 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 #include "tools/editor/core/edit_session.h"
 #include "tools/editor/window/drag_quality.h"
@@ -31,17 +32,6 @@ using namespace lanthorn;
 namespace {
 
 constexpr ivec2 kWhole(700, 468);
-
-double processor_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
 
 // The first node that has a lamp which stands somewhere.
 std::uint32_t first_lamp(const editor::EditModel& model) {
@@ -84,14 +74,14 @@ int run(const std::string& level, int steps, ivec2 small, std::span<char*> more)
     session.begin("drag");
     constexpr int kWarm = 4;
     for (int step = 0; step < kWarm + steps; ++step) {
-        const double begun = processor_ms();
+        const double begun = support::processor_ms();
         Transform to = stood;
         to.translation.y += 0.02 * (1 + step % 16);
         to.translation.x += 0.02 * (step / 16 + step % 2);
         session.preview(edit_window::transform_lines(session.path_of(lamp), stood, to));
-        const double edited = processor_ms();
+        const double edited = support::processor_ms();
         draw(small);
-        const double end = processor_ms();
+        const double end = support::processor_ms();
         std::map<std::string, double> sums;
         for (const auto& span : timer.end_frame()) {
             sums[span.name] += span.cpu_ms;
@@ -109,7 +99,7 @@ int run(const std::string& level, int steps, ivec2 small, std::span<char*> more)
     fmt::print("{}, {}x{}, lamp '{}'; medians of {} steps, ms of processor time\n", level, small.x, small.y,
                session.path_of(lamp), steps);
     for (const auto& [name, values] : passes) {
-        fmt::print("  {:<22}{:10.2f}  in {} steps\n", name, median(values), values.size());
+        fmt::print("  {:<22}{:10.2f}  in {} steps\n", name, support::median(values), values.size());
     }
     return 0;
 }

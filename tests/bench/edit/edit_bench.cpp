@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -19,6 +18,8 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -29,14 +30,6 @@ constexpr ivec2 kSize(512, 288);
 
 enum Kind { kStill, kColour, kLight, kKinds };
 constexpr std::array kTitles{"still", "colour", "light"};
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 struct Figures {
     std::map<std::string, std::array<std::vector<double>, kKinds>> passes;
@@ -52,7 +45,7 @@ struct Figures {
     }
     double of(const std::string& pass, Kind kind) const {
         const auto found = passes.find(pass);
-        return found == passes.end() ? 0 : median(found->second[kind]);
+        return found == passes.end() ? 0 : support::median(found->second[kind]);
     }
 };
 
@@ -86,7 +79,7 @@ class Nave {
 
     // The whole, edit included, is the span "frame".
     std::vector<gpu::PassTimer::Span> frame_of(Kind kind) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = support::wall_ms();
         const float other = ++edits_[kind] % 2 == 0 ? 0.5f : 0.6f;
         if (kind == kColour) {
             asset_store(app_.world()).edit_material(material_, [&](Material& m) { m.base_colour.g = other; });
@@ -97,9 +90,9 @@ class Nave {
         }
         app_.show();
         glFinish();
-        const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+        const double wall = support::wall_ms() - start;
         auto spans = app_.world().resource<Renderer>().timer->end_frame();
-        spans.push_back({"frame", 0, wall.count()});
+        spans.push_back({"frame", 0, wall});
         return spans;
     }
     bool selected() {
@@ -140,8 +133,8 @@ int run(int rounds) {
                context->info().renderer, context->info().version, kSize.x, kSize.y, nave.material(), rounds);
     fmt::print("  {:<22}{:>10}{:>10}{:>10}\n", "pass", kTitles[kStill], kTitles[kColour], kTitles[kLight]);
     for (const auto& [name, values] : figures.passes) {
-        fmt::print("  {:<22}{:10.3f}{:10.3f}{:10.3f}\n", name, median(values[kStill]),
-                   median(values[kColour]), median(values[kLight]));
+        fmt::print("  {:<22}{:10.3f}{:10.3f}{:10.3f}\n", name, support::median(values[kStill]),
+                   support::median(values[kColour]), support::median(values[kLight]));
     }
     const double light = figures.of("frame", kLight);
     fmt::print("still / light {:.3f}, colour / light {:.3f}; frames that chose maps anew: {}\n",

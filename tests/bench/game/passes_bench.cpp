@@ -6,7 +6,6 @@
 // it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -20,6 +19,7 @@
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tests/bench/game/level_bench.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
@@ -27,11 +27,6 @@ namespace {
 
 constexpr std::uint64_t kStepsAFrame = 4;
 constexpr int kWarmUp = 12;  // frames
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 void measure(const std::string& stem, ivec2 size, const std::string& preset, int frames) {
     Options options;
@@ -65,11 +60,12 @@ void measure(const std::string& stem, ivec2 size, const std::string& preset, int
             }
         }
     }
-    fmt::print("{}, {}x{}, {}: {:.1f} ms in all passes\n", stem, size.x, size.y, preset, median(whole));
+    fmt::print("{}, {}x{}, {}: {:.1f} ms in all passes\n", stem, size.x, size.y, preset,
+               support::median(whole));
     for (auto& [name, ms] : passes) {
         const std::size_t in = ms.size();
         ms.resize(whole.size(), 0);  // it was not there in the other frames
-        fmt::print("  {:24} {:8.2f}  in {} of {} frames\n", name, median(ms), in, whole.size());
+        fmt::print("  {:24} {:8.2f}  in {} of {} frames\n", name, support::median(ms), in, whole.size());
     }
 }
 

@@ -23,6 +23,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -30,14 +31,6 @@ using namespace lanthorn;
 namespace {
 
 constexpr ivec2 kSize(512);
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 // Milliseconds of each frame by pass; passes of one name are added up.
 class Figures {
@@ -60,9 +53,9 @@ class Figures {
     void print(const char* title) const {
         fmt::print("{}\n", title);
         for (const auto& [name, values] : passes_) {
-            fmt::print("  {:<22}{:9.3f} ms\n", name, median(values));
+            fmt::print("  {:<22}{:9.3f} ms\n", name, support::median(values));
         }
-        fmt::print("  {:<22}{:9.3f}\n", "gi / direct part", median(ratios_));
+        fmt::print("  {:<22}{:9.3f}\n", "gi / direct part", support::median(ratios_));
     }
 
   private:

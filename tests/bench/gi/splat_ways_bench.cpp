@@ -20,6 +20,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -39,11 +40,6 @@ struct Way {
     gi::Splatting splatting;
     std::map<std::string, std::vector<double>> ms;
 };
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
 
 int run(const std::string& scene, int photons, ivec2 size, int rounds) {
     const auto context = gpu::create_headless_context();
@@ -91,7 +87,7 @@ int run(const std::string& scene, int photons, ivec2 size, int rounds) {
     for (const Way& way : ways) {
         fmt::print("  {:<20}", way.name);
         for (const auto& [pass, ms] : way.ms) {
-            fmt::print(" {} {:8.2f} ms", pass, median(ms));
+            fmt::print(" {} {:8.2f} ms", pass, support::median(ms));
         }
         fmt::print(" ({} entries)\n", way.splatting.statistics().entries);
     }

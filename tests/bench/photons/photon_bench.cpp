@@ -7,18 +7,18 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
-#include "gi_module/reference/ray_log.h"
 #include "gi_module/shared/photons/photon_tracer.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/bench/reference/bare_rate.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -28,37 +28,6 @@ namespace {
 
 constexpr std::uint64_t kWalks = 100'000;
 
-double median(std::array<double, 5> values) {
-    std::ranges::sort(values);
-    return values[2];
-}
-
-// Of the whole process.
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double bare_rate(const reference::RayLog& log, double seconds) {
-    std::uint64_t rays = 0;
-    const double start = processor_seconds();
-    do {
-        for (const reference::LoggedRay& logged : log.rays) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            RTCRayHit query;
-            query.ray = logged.ray;
-            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(log.scene, &context, &query);
-        }
-        rays += log.rays.size();
-    } while (processor_seconds() - start < seconds);
-    return static_cast<double>(rays) / (processor_seconds() - start);
-}
-
 struct Rate {
     double wall = 0, processor = 0;  // rays a second
 };
@@ -66,13 +35,13 @@ struct Rate {
 Rate photon_rate(const PhotonTracer& tracer, int threads, double seconds) {
     reference::TileWorkers workers(threads);
     std::uint64_t rays = 0, first = 0;
-    const double start = processor_seconds(), wall = wall_seconds();
+    const double start = support::processor_seconds(), wall = support::wall_seconds();
     do {
         rays += tracer.trace(first, kWalks, workers, [](std::size_t, std::span<const Photon>) {}).rays;
         first += kWalks;
-    } while (wall_seconds() - wall < seconds);
-    return {static_cast<double>(rays) / (wall_seconds() - wall),
-            static_cast<double>(rays) / (processor_seconds() - start)};
+    } while (support::wall_seconds() - wall < seconds);
+    return {static_cast<double>(rays) / (support::wall_seconds() - wall),
+            static_cast<double>(rays) / (support::processor_seconds() - start)};
 }
 
 void measure(const std::string& name, PhotonScattering scattering, double seconds) {
@@ -90,7 +59,7 @@ void measure(const std::string& name, PhotonScattering scattering, double second
     scene.log_to(nullptr);
     std::array<double, 5> bare{}, one{}, share{}, faster{};
     for (std::size_t turn = 0; turn < 5; ++turn) {
-        bare[turn] = bare_rate(log, seconds);
+        bare[turn] = bench::bare_rate(log, seconds);
         const Rate single = photon_rate(tracer, 1, seconds);
         one[turn] = single.processor;
         share[turn] = single.processor / bare[turn];
@@ -100,8 +69,8 @@ void measure(const std::string& name, PhotonScattering scattering, double second
         "{:<20} {:<5} {:4.2f} rays a walk; M rays/s: Embree {:6.2f}, photons {:6.2f} ({:.0f} %); 2 threads "
         "{:.2f} x\n",
         name, scattering == PhotonScattering::even ? "even" : "full",
-        static_cast<double>(log.rays.size()) / kWalks, median(bare) * 1e-6, median(one) * 1e-6,
-        100 * median(share), median(faster));
+        static_cast<double>(log.rays.size()) / kWalks, support::median(bare) * 1e-6,
+        support::median(one) * 1e-6, 100 * support::median(share), support::median(faster));
 }
 
 }  // namespace

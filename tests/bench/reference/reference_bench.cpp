@@ -9,19 +9,19 @@
 //   bench_reference [SECONDS [SCENE]]   a measurement's length; a file of assets/, else the usual ones
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
-#include "gi_module/reference/ray_log.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/bench/reference/bare_rate.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -31,17 +31,6 @@ namespace {
 
 constexpr ivec2 kSize(256);
 
-template <std::size_t N>
-double median(std::array<double, N> values) {
-    std::ranges::sort(values);
-    return values[N / 2];
-}
-
-// Of the whole process.
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 FrameScene load(ecs::World& world, const std::string& name) {
     const auto entities = spawn(world, import_gltf(support::repository_file("assets/" + name)));
     for (const ecs::Entity e : entities) {
@@ -50,29 +39,6 @@ FrameScene load(ecs::World& world, const std::string& name) {
         }
     }
     return Extractor().extract(world);
-}
-
-// Rays a second of a bare loop over what was logged.
-double bare_rate(const RayLog& log, double seconds) {
-    std::uint64_t rays = 0;
-    const double start = processor_seconds();
-    do {
-        for (const LoggedRay& logged : log.rays) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            if (logged.any_hit) {
-                RTCRay ray = logged.ray;
-                rtcOccluded1(log.scene, &context, &ray);
-            } else {
-                RTCRayHit query;
-                query.ray = logged.ray;
-                query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-                rtcIntersect1(log.scene, &context, &query);
-            }
-        }
-        rays += log.rays.size();
-    } while (processor_seconds() - start < seconds);
-    return static_cast<double>(rays) / (processor_seconds() - start);
 }
 
 struct SampleRate {
@@ -85,9 +51,9 @@ SampleRate sample_rate(const FrameScene& frame, PathSettings settings, int threa
     settings.spp = 1'000'000;
     settings.time_limit = static_cast<float>(seconds);
     PathTracer tracer(frame, kSize, settings, {.indirect = true});
-    const double start = processor_seconds();
+    const double start = support::processor_seconds();
     const PathProgress done = tracer.render({});
-    return {done.spp / done.seconds, done.spp / (processor_seconds() - start)};
+    return {done.spp / done.seconds, done.spp / (support::processor_seconds() - start)};
 }
 
 void measure(const std::string& name, Transport transport, double seconds) {
@@ -103,7 +69,7 @@ void measure(const std::string& name, Transport transport, double seconds) {
     constexpr int kTurns = 5;
     std::array<double, kTurns> bare, one, share, faster, kept;
     for (std::size_t turn = 0; turn < kTurns; ++turn) {
-        bare[turn] = bare_rate(log, seconds);
+        bare[turn] = bench::bare_rate(log, seconds);
         const SampleRate single = sample_rate(frame, settings, 1, seconds);
         const SampleRate both = sample_rate(frame, settings, 2, seconds);
         one[turn] = rays_a_sample * single.processor;
@@ -115,8 +81,9 @@ void measure(const std::string& name, Transport transport, double seconds) {
         "{:<18} {:<8} {:4.1f} rays a pixel; M rays/s: Embree {:6.2f}, path {:6.2f} ({:.0f} %); 2 threads "
         "{:.2f} x "
         "({:.0f} % a processor second)\n",
-        name, transport_name(transport), rays_a_sample / (kSize.x * kSize.y), median(bare) * 1e-6,
-        median(one) * 1e-6, 100 * median(share), median(faster), 100 * median(kept));
+        name, transport_name(transport), rays_a_sample / (kSize.x * kSize.y), support::median(bare) * 1e-6,
+        support::median(one) * 1e-6, 100 * support::median(share), support::median(faster),
+        100 * support::median(kept));
 }
 
 }  // namespace

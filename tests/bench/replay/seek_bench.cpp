@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 
 #include "lanthorn/core/error.h"
+#include "tests/support/clocks.h"
 #include "tests/support/repository.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/reference.h"
@@ -25,14 +24,13 @@ namespace fs = std::filesystem;
 class Clock {
   public:
     std::string words() const {
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
-        return fmt::format("{:.3f} s ({:.3f} s of processor time)", wall.count(),
-                           static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC);
+        return fmt::format("{:.3f} s ({:.3f} s of processor time)", support::wall_seconds() - wall_,
+                           support::processor_seconds() - processor_);
     }
 
   private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    std::clock_t cpu_ = std::clock();
+    double wall_ = support::wall_seconds();
+    double processor_ = support::processor_seconds();
 };
 
 replay::Recording repeated(const replay::Recording& recording, std::size_t steps) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -16,15 +15,12 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/runtime/scene_plugins.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 
 using namespace lanthorn;
 
 namespace {
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
 
 class Stage {
   public:
@@ -36,13 +32,13 @@ class Stage {
     }
 
     void frame(bool measured) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = support::wall_ms();
         app_.frame(kStepSeconds);
-        const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - start;
+        const double whole = support::wall_ms() - start;
         if (!measured) {
             return;
         }
-        whole_.push_back(whole.count());
+        whole_.push_back(whole);
         for (const auto& [phase, schedule] :
              {std::pair("step", &app_.fixed_schedule()), std::pair("frame", &app_.frame_schedule())}) {
             for (const ecs::Schedule::Report& r : schedule->report()) {
@@ -51,11 +47,11 @@ class Stage {
         }
     }
 
-    double whole() const { return median(whole_); }
+    double whole() const { return support::median(whole_); }
     std::map<std::string, double> systems() const {
         std::map<std::string, double> medians;
         for (const auto& [name, values] : systems_) {
-            medians[name] = median(values);
+            medians[name] = support::median(values);
         }
         return medians;
     }

@@ -4,10 +4,8 @@
 //   bench_views [LEVEL.glb [ROUNDS [TECHNIQUE]]]
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +19,8 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -29,17 +29,6 @@ namespace {
 
 constexpr ivec2 kSize(320, 180);
 constexpr int kWarmup = 8;  // frames
-
-double processor_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.at(values.size() / 2);
-}
 
 struct Level {
     App app;
@@ -73,13 +62,13 @@ struct Stage {
     std::size_t bytes = 0;
 
     void show(int number) {
-        const double start = processor_ms();
+        const double start = support::processor_ms();
         for (const auto& level : levels) {
             level->frame(number);
         }
         glFinish();
         if (number >= kWarmup) {
-            ms.push_back(processor_ms() - start);
+            ms.push_back(support::processor_ms() - start);
         }
     }
 };
@@ -110,15 +99,15 @@ int run(const std::string& file, int rounds, const std::string& technique) {
             stage.show(kWarmup + round);
         }
     }
-    const double one = median(stages[0].ms);
+    const double one = support::median(stages[0].ms);
     fmt::print("{} at {}x{} by {}, a light moves; {} frames each\n{:<10} {:>12} {:>8} {:>9}\n", file, kSize.x,
                kSize.y, technique, rounds, "", "processor ms", "of one", "GPU MiB");
     for (const Stage& stage : stages) {
-        fmt::print("{:<10} {:>12.1f} {:>8.2f} {:>9.1f}\n", stage.name, median(stage.ms),
-                   median(stage.ms) / one, static_cast<double>(stage.bytes) / (1 << 20));
+        fmt::print("{:<10} {:>12.1f} {:>8.2f} {:>9.1f}\n", stage.name, support::median(stage.ms),
+                   support::median(stage.ms) / one, static_cast<double>(stage.bytes) / (1 << 20));
     }
     fmt::print("a second view costs {:.2f} of a second App\n",
-               (median(stages[1].ms) - one) / (median(stages[2].ms) - one));
+               (support::median(stages[1].ms) - one) / (support::median(stages[2].ms) - one));
     return 0;
 }
 

@@ -3,12 +3,10 @@
 //   bench_scene --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
-#include <chrono>
-#include <ctime>
-
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/support/clocks.h"
 
 namespace {
 
@@ -21,13 +19,10 @@ enum class Shape { flat, trees };
 
 // Wall time and this process's processor time, milliseconds; other programs disturb the second less.
 struct Clocks {
-    std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
-    std::clock_t processor = std::clock();
+    double wall = support::wall_ms(), processor = support::processor_ms();
 
-    double wall_ms() const {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wall).count();
-    }
-    double processor_ms() const { return 1e3 * double(std::clock() - processor) / CLOCKS_PER_SEC; }
+    double wall_ms() const { return support::wall_ms() - wall; }
+    double processor_ms() const { return support::processor_ms() - processor; }
 };
 
 struct Crowd {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <nanoflann.hpp>
 #include <string>
@@ -26,16 +25,13 @@
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/support/clocks.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
 using namespace lanthorn::gi;
 
 namespace {
-
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 // A scene as its camera sees it, and all that splats are made of.
 struct Stage {
@@ -69,22 +65,22 @@ struct Stage {
     void trace(std::uint64_t walks, std::size_t memory) {
         photons.clear();
         photons.store().limit(memory - PhotonCollection::kTracing);
-        const double start = processor_seconds();
+        const double start = support::processor_seconds();
         if (!photons.grow(scene, surfaces, {.bounces = 2, .seed = 1}, walks, workers)) {
             throw InputError(photons.store().error());
         }
-        tracing = processor_seconds() - start;
+        tracing = support::processor_seconds() - start;
     }
     // Seconds; with everything that an altered view needs.
     double splat(const SplatSettings& settings, const gpu::Texture** image = nullptr) {
-        const double start = processor_seconds();
+        const double start = support::processor_seconds();
         const gpu::Texture* irradiance =
             splats.draw(picture, surfaces, photons, photons.powers(scene.sources()), settings, workers);
         glFinish();
         if (image != nullptr) {
             *image = irradiance;
         }
-        return processor_seconds() - start;
+        return support::processor_seconds() - start;
     }
 };
 
@@ -118,7 +114,7 @@ bool gather(std::uint64_t walks, int side, const std::string& name) {
     const double splatted = stage.splat(settings, &image);
     const std::vector<float> got = image->read_floats(4);
 
-    double start = processor_seconds();
+    double start = support::processor_seconds();
     const std::vector<vec3> group_powers = stage.photons.powers(stage.scene.sources());
     Cloud cloud;
     stage.photons.store().each([&](const RecordRun& run) {
@@ -131,8 +127,8 @@ bool gather(std::uint64_t walks, int side, const std::string& name) {
     });
     using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
     const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-    const double built = processor_seconds() - start;
-    start = processor_seconds();
+    const double built = support::processor_seconds() - start;
+    start = support::processor_seconds();
     const std::vector<float> h = bandwidths(stage.surfaces, stage.photons.photons(false), settings.bandwidth);
     const std::vector<float> areas =
         inverse_kernel_areas(stage.picture, stage.surfaces, h, settings.kernel, true, {}, stage.workers);
@@ -158,7 +154,7 @@ bool gather(std::uint64_t walks, int side, const std::string& name) {
         }
         gathered[i] = sum * areas[i];
     });
-    const double looked_up = processor_seconds() - start;
+    const double looked_up = support::processor_seconds() - start;
     double squares = 0, mean = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {

@@ -1,7 +1,6 @@
 #include "tests/bench/vertex-map/stages.h"
 
-#include <algorithm>
-#include <ctime>
+#include <span>
 #include <vector>
 
 #include "gi_module/techniques/vertex-map/kept_tree.h"
@@ -10,6 +9,8 @@
 #include "gi_module/techniques/vertex-map/vertex_scene.h"
 #include "tests/bench/vertex-map/every_surface.h"
 #include "tests/bench/vertex-map/thesis_scene.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 
 namespace lanthorn::bench {
 
@@ -17,26 +18,16 @@ using namespace gi;
 
 namespace {
 
-double processor_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 // Of a call, by frame; the first frame, which shoots all and finds areas, does not count.
 class Times {
   public:
     template <class Call>
     void add(const Call& call) {
-        const double start = processor_ms();
+        const double start = support::processor_ms();
         call();
-        values_.push_back(processor_ms() - start);
+        values_.push_back(support::processor_ms() - start);
     }
-    double median() const {
-        std::vector<double> values(values_.begin() + 1, values_.end());
-        std::ranges::sort(values);
-        return values[values.size() / 2];
-    }
+    double median() const { return support::median(std::span(values_).subspan(1)); }
 
   private:
     std::vector<double> values_;

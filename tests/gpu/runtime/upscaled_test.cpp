@@ -18,6 +18,8 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/workbench/flip.h"
 #include "lanthorn/workbench/motions.h"
+#include "tests/support/clocks.h"
+#include "tests/support/median.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn {
@@ -93,11 +95,6 @@ struct Shown {
     double frame_ms = 0, upscale_ms = 0;  // processor time, medians of the last eight
 };
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
-
 // The last `kept` of kFrames + 1 frames.
 Shown show(const SceneData& scene, const Case& c, const Way& way, int kept) {
     const auto context = gpu::create_headless_context();
@@ -110,12 +107,12 @@ Shown show(const SceneData& scene, const Case& c, const Way& way, int kept) {
     Shown shown;
     std::vector<double> frames, upscales;
     for (int frame = 0; frame <= kFrames; ++frame) {
-        const std::clock_t start = std::clock();
+        const double start = support::processor_ms();
         moving.show(frame);
         const Renderer& renderer = app.world().resource<Renderer>();
         const auto passes = renderer.timer->end_frame();
         if (frame > kFrames - 8) {
-            frames.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+            frames.push_back(support::processor_ms() - start);
         }
         for (const auto& pass : passes) {
             if (pass.name == "upscale" && frame > kFrames - 8) {
@@ -126,8 +123,8 @@ Shown show(const SceneData& scene, const Case& c, const Way& way, int kept) {
             shown.pictures.push_back(presented(*renderer.frame, c.whole));
         }
     }
-    shown.frame_ms = median(frames);
-    shown.upscale_ms = median(upscales);
+    shown.frame_ms = support::median(frames);
+    shown.upscale_ms = support::median(upscales);
     return shown;
 }
 

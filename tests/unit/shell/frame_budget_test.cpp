@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/median.h"
+
 namespace lanthorn::shell {
 namespace {
 
@@ -47,11 +49,7 @@ class Running {
         }
     }
     void forget() { frames_.clear(); }
-    double median() const {
-        std::vector<double> sorted = frames_;
-        std::ranges::sort(sorted);
-        return sorted[sorted.size() / 2];
-    }
+    double median() const { return support::median(frames_); }
     double share_within() const {
         return static_cast<double>(std::ranges::count_if(
                    frames_, [&](double ms) { return ms <= FrameBudget::kTolerance * budget_; })) /
