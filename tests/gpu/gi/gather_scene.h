@@ -1,9 +1,23 @@
-// What the tests of the final gather share: a room, and a picture in which nothing changes.
+// What the tests of the final gather share: its settings, a room, and a picture in which nothing changes.
 #pragma once
 
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
+
+// By rays, at each pixel of its grid, so many bounces and no more: what closed forms and the path tracer say
+// of it. (By photons: lit_photons_test.cpp.)
+inline GiSettings gathered_by_rays(int bounces = 2) {
+    GiSettings settings;
+    settings.bounces = bounces;
+    EmcSettings& emc = settings.edit<EmcSettings>();
+    emc.final_stage = EmcFinal::gather;
+    emc.gather_source = GatherSource::rays;
+    emc.gather_points = 1;
+    emc.gather_endless = false;
+    return settings;
+}
 
 // After `frames` frames in which nothing changes.
 inline ImageF still_picture(Bench& bench, FrameScene scene, int frames, ivec2 size) {

@@ -8,16 +8,21 @@
 
 namespace lanthorn::gi::test {
 
+std::vector<float> path_picture(const FrameScene& scene, ivec2 size, const reference::PathSettings& settings,
+                                reference::PathAov what) {
+    const bool radiance = what == reference::PathAov::radiance;
+    reference::PathTracer tracer(scene, size, settings, {.indirect = true, .radiance = radiance});
+    tracer.render({});
+    return tracer.image(what);
+}
+
 Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp, reference::PathAov what) {
     Truth truth;
     reference::PathSettings settings;
     settings.spp = spp / 2;
     settings.bounces = bounces;
     for (std::vector<float>& half : truth.halves) {
-        reference::PathTracer tracer(scene, size, settings,
-                                     {.indirect = true, .radiance = what == reference::PathAov::radiance});
-        tracer.render({});
-        half = tracer.image(what);
+        half = path_picture(scene, size, settings, what);
         ++settings.seed;
     }
     return truth;
@@ -31,13 +36,17 @@ Deviation against(const ImageF& image, const Truth& truth) {
         const auto got = static_cast<double>(image.pixels[i]);
         const auto a = static_cast<double>(truth.halves[0][i]);
         const auto b = static_cast<double>(truth.halves[1][i]);
-        EXPECT_TRUE(std::isfinite(got));
+        EXPECT_TRUE(std::isfinite(got)) << i;
         sum += got;
         wanted += 0.5 * (a + b);
         squares += (got - a) * (got - b);
     }
     const auto n = static_cast<double>(image.pixels.size());
     return {sum / wanted, std::sqrt(std::max(squares, 0.0) / n) / (wanted / n)};
+}
+
+Deviation against(const ImageF& image, const std::vector<float>& expected) {
+    return against(image, Truth{{expected, expected}});
 }
 
 }  // namespace lanthorn::gi::test

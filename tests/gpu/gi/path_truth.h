@@ -18,7 +18,13 @@ struct Truth {
 Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp,
                   reference::PathAov what = reference::PathAov::indirect);  // or radiance
 
-// Fails the test at a pixel that is not finite.
+// One picture with these settings, three floats a pixel.
+std::vector<float> path_picture(const FrameScene& scene, ivec2 size, const reference::PathSettings& settings,
+                                reference::PathAov what = reference::PathAov::indirect);  // or radiance
+
+// Over all pixels and channels. Fails the test at a pixel that is not finite.
 Deviation against(const ImageF& image, const Truth& truth);
+// Of a picture whose noise, if it has any, counts as an error.
+Deviation against(const ImageF& image, const std::vector<float>& expected);
 
 }  // namespace lanthorn::gi::test
