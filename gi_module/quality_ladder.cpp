@@ -1,4 +1,4 @@
-#include "gi_module/quality_ladder.h"
+#include "lanthorn/gi/quality_ladder.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/animation/key_sampler.h"
-#include "lanthorn/animation/root_motion.h"
+#include "engine/animation/root_motion.h"
 
 namespace lanthorn {
 namespace {

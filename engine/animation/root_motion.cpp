@@ -1,4 +1,4 @@
-#include "lanthorn/animation/root_motion.h"
+#include "engine/animation/root_motion.h"
 
 #include <array>
 

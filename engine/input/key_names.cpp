@@ -1,4 +1,4 @@
-#include "lanthorn/input/key_names.h"
+#include "lanthorn/input/bindings.h"
 
 namespace lanthorn::input {
 

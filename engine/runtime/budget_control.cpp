@@ -1,4 +1,4 @@
-#include "engine/runtime/budget_control.h"
+#include "lanthorn/runtime/budget_control.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/runtime/budget_control.h"
+#include "lanthorn/runtime/budget_control.h"
 
 namespace lanthorn {
 

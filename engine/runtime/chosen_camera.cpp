@@ -1,4 +1,4 @@
-#include "engine/runtime/chosen_camera.h"
+#include "lanthorn/runtime/shown_scene.h"
 
 #include <fmt/format.h>
 

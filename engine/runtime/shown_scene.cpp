@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/runtime/chosen_camera.h"
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"

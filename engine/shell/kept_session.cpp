@@ -1,4 +1,4 @@
-#include "engine/shell/kept_session.h"
+#include "lanthorn/shell/kept_session.h"
 
 #include <fmt/format.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "lanthorn/ui/gamepad_navigation.h"
+#include "lanthorn/ui/navigation.h"
 
 #define GLFW_INCLUDE_NONE  // names of buttons alone
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "lanthorn/ui/key_queue.h"
+#include "lanthorn/ui/navigation.h"
 
 #include <imgui.h>
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/shell/kept_session.h"
 #include "game/level/level_files.h"
 #include "game/presentation/options.h"
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
+#include "lanthorn/shell/kept_session.h"
 
 namespace lanthorn::game {
 

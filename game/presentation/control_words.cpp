@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "game/rules/actions.h"
-#include "lanthorn/input/key_names.h"
+#include "lanthorn/input/bindings.h"
 
 namespace lanthorn::game {
 

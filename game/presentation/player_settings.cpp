@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "game/rules/actions.h"
-#include "gi_module/quality_ladder.h"
 #include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gi/quality_ladder.h"
 
 namespace lanthorn::game {
 

@@ -7,7 +7,7 @@
 
 #include "game/screens/menu_keys.h"
 #include "game/screens/pages.h"
-#include "lanthorn/ui/gamepad_navigation.h"
+#include "lanthorn/ui/navigation.h"
 
 namespace lanthorn::game::ui {
 

@@ -5,7 +5,7 @@
 
 #include "game/screens/model.h"
 #include "lanthorn/shell/kept_file.h"
-#include "lanthorn/ui/key_queue.h"
+#include "lanthorn/ui/navigation.h"
 #include "lanthorn/ui/overlay.h"
 
 struct GLFWwindow;

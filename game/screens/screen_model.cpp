@@ -1,7 +1,7 @@
 #include "game/screens/screen_model.h"
 
 #include "game/level/story.h"
-#include "lanthorn/input/key_names.h"
+#include "lanthorn/input/bindings.h"
 
 namespace lanthorn::game {
 

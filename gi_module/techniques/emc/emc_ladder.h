@@ -1,7 +1,7 @@
 // What the gather spares first.
 #pragma once
 
-#include "gi_module/quality_ladder.h"
+#include "lanthorn/gi/quality_ladder.h"
 
 namespace lanthorn::gi {
 

@@ -1,5 +1,5 @@
 // Root motion: applied to the parent, it gives back the motion that was taken out of the pose.
-#include "lanthorn/animation/root_motion.h"
+#include "engine/animation/root_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "game/screens/menu_keys.h"
-#include "lanthorn/ui/gamepad_navigation.h"
+#include "lanthorn/ui/navigation.h"
 
 namespace lanthorn::game::ui {
 

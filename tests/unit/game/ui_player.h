@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "game/screens/pages.h"
-#include "lanthorn/ui/key_queue.h"
+#include "lanthorn/ui/navigation.h"
 
 namespace lanthorn::game::ui {
 

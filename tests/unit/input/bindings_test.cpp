@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
-#include "lanthorn/input/key_names.h"
 #include "tests/unit/input/acts.h"
 
 namespace lanthorn::input {

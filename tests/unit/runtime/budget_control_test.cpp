@@ -1,6 +1,6 @@
 // Machines that are not there: what a frame takes follows from the rung that is drawn, the scene and some
 // noise.
-#include "engine/runtime/budget_control.h"
+#include "lanthorn/runtime/budget_control.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Sessions that are kept, and what becomes of those of processes that ended.
-#include "engine/shell/kept_session.h"
+#include "lanthorn/shell/kept_session.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

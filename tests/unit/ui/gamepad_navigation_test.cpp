@@ -1,5 +1,5 @@
 // A gamepad in the menus, without a window.
-#include "lanthorn/ui/gamepad_navigation.h"
+#include "lanthorn/ui/navigation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Keys typed faster than frames come, without a window.
-#include "lanthorn/ui/key_queue.h"
+#include "lanthorn/ui/navigation.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "engine/core/json.h"
-#include "engine/runtime/chosen_camera.h"
 #include "engine/scene/kept_emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/sampling.h"
@@ -17,6 +16,7 @@
 #include "lanthorn/assets/sky_file.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/runtime/scene_plugins.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::workbench {

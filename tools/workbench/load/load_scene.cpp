@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/runtime/chosen_camera.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/scene_plugins.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "tools/workbench/load/default_light.h"
 
 namespace lanthorn::workbench {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gi_module/quality_ladder.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gi/quality_ladder.h"
 #include "lanthorn/gi/technique.h"
 
 namespace lanthorn::workbench {

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "engine/runtime/budget_control.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/budget_control.h"
 #include "lanthorn/workbench/render_job.h"
 
 namespace lanthorn::workbench {

@@ -111,7 +111,7 @@ struct TechniqueEntry {
     std::unique_ptr<Technique> (*make)() = nullptr;
     GiPlan (*first_plan)(const FrameScene& scene, const GiSettings& settings) = nullptr;
     // What it spares first, from these settings down, where a picture of `size` pixels takes too long, by
-    // groups of passes (gi_module/quality_ladder.h); null: nothing but pixels.
+    // groups of passes (quality_ladder.h); null: nothing but pixels.
     BudgetLadder (*ladder)(const Settings& settings, ivec2 size) = nullptr;
     // Its own statistics, an object; null: none.
     std::string (*statistics_json)(const GiStatistics& statistics) = nullptr;

@@ -49,4 +49,11 @@ class Bindings {
 // opens.
 Bindings read_bindings(std::span<const Action> actions, std::string_view json, std::string_view source);
 
+// What to press for an action, in words that fit on a screen: "Esc", "E", "A": on the gamepad (`pad`), or on
+// keyboard and mouse; where nothing is bound there, on the other one. Empty: nothing is.
+std::string key_name(const Bindings& bindings, ActionId action, bool pad);
+
+// All of one device, "R, Wheel Up", those of the gamepad without "Pad". Empty: there are none.
+std::string key_list(const Bindings& bindings, ActionId action, bool pad);
+
 }  // namespace lanthorn::input

@@ -29,6 +29,13 @@ struct SceneChoice {
     std::function<void(ecs::Registry&)> declare = {};
 };
 
+// Whether a camera is among its nodes.
+bool has_camera(const SceneData& scene);
+
+// The node whose camera is meant, by SceneChoice::camera; kNone for one that sees everything. Throws
+// InputError for one that is not there.
+std::uint32_t find_camera(const SceneData& scene, const std::string& wanted);
+
 // An App with the scene in it: for pictures add gi::add_picture_plugins(), which needs an OpenGL context.
 class ShownScene {
   public:

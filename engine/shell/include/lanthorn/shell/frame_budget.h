@@ -43,7 +43,7 @@ class FrameBudget {
     // `ms`: that a frame may take; 0: any time. `best`: the preset that is drawn where there is time for it.
     // Spares pixels, then presets. Starts again at the top where one of them is another than before.
     void set(double ms, const std::string& best);
-    // The same with what a technique spares first (gi::budget_ladder()).
+    // The same with what a technique spares first (gi::quality_ladder()).
     void set(double ms, BudgetLadder ladder);
 
     // A frame took `ms` from the one before, and kept the machine busy for `busy_ms` of that: less where it

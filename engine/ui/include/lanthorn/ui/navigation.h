@@ -1,13 +1,17 @@
-// Keys on their way to the screens: one every other frame, so that what is typed faster than frames come
-// keeps its order, and a key that goes down and up again within a frame counts.
+// Keys and a gamepad in the menus: what is pressed, as Dear ImGui takes it.
 #pragma once
 
+#include <imgui.h>
+
+#include <bitset>
 #include <deque>
 #include <functional>
 #include <span>
 
 namespace lanthorn::ui {
 
+// Keys on their way to the screens: one every other frame, so that what is typed faster than frames come
+// keeps its order, and a key that goes down and up again within a frame counts.
 class KeyQueue {
   public:
     // Says to ImGui which key is down in the frame that comes; call right before ImGui::NewFrame(), with what
@@ -31,5 +35,10 @@ class KeyQueue {
     std::deque<int> waiting_;
     int shown_ = kNone;
 };
+
+// Left stick and directional pad choose, A takes, B goes back.
+// `buttons`: those that are down, by GLFW's numbers; `right`, `down`: the left stick's tilt, -1..1. Call
+// before ImGui::NewFrame(), which forgets it in the end.
+void feed_gamepad(const std::bitset<15>& buttons, double right, double down, ImGuiIO& io);
 
 }  // namespace lanthorn::ui

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/runtime/budget_control.h"
 #include "lanthorn/core/math.h"
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gpu/pass_timer.h"
+#include "lanthorn/runtime/budget_control.h"
 
 namespace lanthorn::gi {
 

@@ -9,6 +9,7 @@
 
 namespace lanthorn::shell {
 
+// The recordings that a program keeps of its sessions, in one folder.
 class KeptSession {
   public:
     static constexpr int kMostCrashes = 8;  // that are kept; of more the oldest go
@@ -17,8 +18,9 @@ class KeptSession {
     // this program that crashed since it was last asked.
     KeptSession(std::filesystem::path folder, std::function<void(const std::string& line)> say);
 
-    // Where to record the session that begins; what was there goes. From now on a crash is told beside it
-    // (core/crash_report.h). Empty where no file can be written.
+    // Where to record the session that begins; what was there goes. From now on a signal that ends this
+    // process (SIGSEGV, SIGABRT and the like) is told beside it, with step and stack. Empty where no file can
+    // be written.
     std::filesystem::path begin();
     // What is recorded cannot be played: it did not begin as its level does.
     void drop();

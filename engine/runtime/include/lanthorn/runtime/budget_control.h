@@ -33,14 +33,17 @@ struct BudgetLadder {
     bool operator==(const BudgetLadder&) const = default;
 };
 
+// Chooses the rung of a ladder that keeps what is wished for, by what frames took and by nothing else.
 class BudgetControl {
   public:
+    // What frames are to keep.
     struct Wish {
         double ms = 0;     // that a frame may take; no more than 0: any time
         double error = 0;  // that the picture may have; 0: any. Time comes first
 
         bool operator==(const Wish&) const = default;
     };
+    // A frame that has been drawn, milliseconds.
     struct Frame {
         double ms = 0;                // since the one before
         double busy_ms = 0;           // that the machine worked of them
@@ -48,6 +51,7 @@ class BudgetControl {
         std::optional<double> error;  // that the picture is estimated to have
         bool refines = false;         // nothing moves, and each frame has less of it than the one before
     };
+    // A change from one rung to another.
     struct Decision {
         std::int64_t frame = 0;  // the last one that was drawn as before, from 0 on
         std::size_t from = 0, to = 0;
@@ -63,10 +67,10 @@ class BudgetControl {
     // The next frames are no measure: a level has been loaded, the game was paused.
     void disturb();
 
-    const BudgetRung& rung() const { return ladder_.rungs[rung_]; }  // from the next frame on
-    const BudgetLadder& ladder() const { return ladder_; }
-    const Wish& wish() const { return wish_; }
-    std::size_t at() const { return rung_; }
+    const BudgetRung& rung() const { return ladder_.rungs[rung_]; }       // from the next frame on
+    const BudgetLadder& ladder() const { return ladder_; }                // as it was set
+    const Wish& wish() const { return wish_; }                            // likewise
+    std::size_t at() const { return rung_; }                              // the rung's number, 0: the dearest
     std::int64_t changes() const { return changes_; }                     // so far
     const std::deque<Decision>& decisions() const { return decisions_; }  // the last thousand
     // What the wishes came to at last, one line: nothing was wished for, all is held, or what is not and why.
@@ -74,8 +78,8 @@ class BudgetControl {
     // Whether the last frames keep what was wished for; true where they are too few to tell.
     bool holds() const;
 
-    static constexpr double kTolerance =
-        1.03;  // of the budget: a screen's 60 pictures a second are not quite that
+    // Of the budget: a screen's 60 pictures a second are not quite that.
+    static constexpr double kTolerance = 1.03;
 
   private:
     double busy(double share) const;
