@@ -3,6 +3,8 @@
 #include <array>
 #include <cctype>
 
+#include "engine/core/base64.h"
+
 namespace lanthorn {
 
 namespace {
@@ -72,19 +74,7 @@ std::optional<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri) {
 }
 
 std::string data_uri(std::string_view bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string uri = "data:application/octet-stream;base64,";
-    uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            three = three << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            uri.push_back(i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=');
-        }
-    }
-    return uri;
+    return "data:application/octet-stream;base64," + base64(bytes);
 }
 
 std::string percent_decoded(std::string_view uri) {

@@ -83,6 +83,27 @@ std::string printable(std::string_view text) {
     return result;
 }
 
+std::string markup_text(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t size = utf8_character(text, at);
+        const char c = text[at];
+        if (size == 0 || (byte_at(text, at) < 0x20 && c != '\n' && c != '\t')) {
+            result += '?';
+        } else {
+            result += c == '&'    ? "&amp;"
+                      : c == '<'  ? "&lt;"
+                      : c == '>'  ? "&gt;"
+                      : c == '"'  ? "&quot;"
+                      : c == '\'' ? "&#39;"
+                                  : text.substr(at, size);
+        }
+        at += size == 0 ? 1 : size;
+    }
+    return result;
+}
+
 std::string shortened(std::string_view text, std::size_t most) {
     if (text.size() <= most) {
         return std::string(text);

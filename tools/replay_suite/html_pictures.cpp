@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "engine/core/base64.h"
+#include "lanthorn/core/printable.h"
 #include "tools/replay_suite/files.h"
 #include "tools/replay_suite/summary.h"
 
@@ -16,10 +18,10 @@ using nlohmann::json;
 std::string image(const std::string& file, const char* name, const char* style) {
     const std::string bytes = file.empty() ? "" : read_if_there(file);
     if (bytes.empty()) {
-        return file.empty() ? "" : fmt::format("<p class=\"small\">{}: gone</p>", xml_safe(file));
+        return file.empty() ? "" : fmt::format("<p class=\"small\">{}: gone</p>", markup_text(file));
     }
     return fmt::format("<img class=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">", style, name,
-                       to_base64(bytes));
+                       base64(bytes));
 }
 
 std::string figure(const std::string& inside, const char* caption) {
@@ -34,10 +36,10 @@ std::string sign(bool failed) {
 std::string one(const json& picture) {
     const bool failed = picture.value("failed", false), light_failed = picture.value("light_failed", false);
     std::string html = fmt::format(
-        "<p>{} <b>{}</b>, step {}: {}", sign(failed || light_failed), xml_safe(picture.value("mark", "")),
-        picture.value("step", std::uint64_t{0}), xml_safe(picture.value("text", "")));
+        "<p>{} <b>{}</b>, step {}: {}", sign(failed || light_failed), markup_text(picture.value("mark", "")),
+        picture.value("step", std::uint64_t{0}), markup_text(picture.value("text", "")));
     if (const std::string light = picture.value("light", ""); !light.empty()) {
-        html += "<br>light " + xml_safe(light);
+        html += "<br>light " + markup_text(light);
     }
     html += "</p>\n";
     const std::string actual = picture.value("actual", ""), expected = picture.value("expected", "");
@@ -62,23 +64,6 @@ std::string one(const json& picture) {
 }
 
 }  // namespace
-
-std::string to_base64(std::string_view bytes) {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = bytes.size() - i;
-        const auto byte = [&](std::size_t k) -> std::uint32_t {
-            return k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u;
-        };
-        const std::uint32_t word = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (std::size_t k = 0; k < 4; ++k) {
-            text += k <= left ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-        }
-    }
-    return text;
-}
 
 std::string pictures_html(const Result& result) {
     std::string html;

@@ -11,7 +11,4 @@ namespace lanthorn::suite {
 // A file that is gone is said to be.
 std::string pictures_html(const Result& result);
 
-// RFC 4648, section 4.
-std::string to_base64(std::string_view bytes);
-
 }  // namespace lanthorn::suite

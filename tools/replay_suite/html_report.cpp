@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "lanthorn/core/printable.h"
 #include "tools/replay_suite/html_parts.h"
 #include "tools/replay_suite/html_pictures.h"
 #include "tools/replay_suite/summary.h"
@@ -35,7 +36,7 @@ std::string anchor(const std::string& id) {
 std::string state_cell(const Row& row) {
     return fmt::format("<td data-n=\"{}\"><span class=\"sign {}\">{}</span> {}</td>",
                        row.red() ? index(row.state) : 10 + index(row.state), kClasses[index(row.state)],
-                       kSigns[index(row.state)], xml_safe(row.word));
+                       kSigns[index(row.state)], markup_text(row.word));
 }
 
 std::string check_cell(const Row& row, const char* name) {
@@ -50,7 +51,7 @@ std::string check_cell(const Row& row, const char* name) {
                                verdict == "failed" ? 0
                                : verdict == "ok"   ? 2
                                                    : 1,
-                               xml_safe(check.value("text", "")),
+                               markup_text(check.value("text", "")),
                                verdict == "ok"       ? "ok"
                                : verdict == "failed" ? "failed"
                                                      : "none",
@@ -79,9 +80,9 @@ std::string table(const Summary& s) {
     for (const Row& row : s.rows) {
         html += fmt::format("<tr data-state=\"{0}\" data-of=\"{1}\">{2}<td><a href=\"#{1}\">{3}</a>",
                             kClasses[index(row.state)], anchor(row.result.id), state_cell(row),
-                            xml_safe(row.result.id));
+                            markup_text(row.result.id));
         if (row.state != State::ok) {
-            html += fmt::format("<br><span class=\"small\">{}</span>", xml_safe(row.result.line));
+            html += fmt::format("<br><span class=\"small\">{}</span>", markup_text(row.result.line));
         }
         html += "</td>";
         for (const char* check : kChecks) {
@@ -94,7 +95,7 @@ std::string table(const Summary& s) {
 }
 
 std::string copy_line(const std::string& line) {
-    return fmt::format("<button class=\"copy\">copy</button><pre>{}</pre>\n", xml_safe(line));
+    return fmt::format("<button class=\"copy\">copy</button><pre>{}</pre>\n", markup_text(line));
 }
 
 // What to do next about a result that is not well.
@@ -128,7 +129,7 @@ std::string commands(const Row& row, const std::string& folder) {
 }
 
 std::string paragraph(const std::string& text) {
-    return text.empty() ? "" : fmt::format("<p>{}</p>\n", xml_safe(text));
+    return text.empty() ? "" : fmt::format("<p>{}</p>\n", markup_text(text));
 }
 
 std::string detail(const Row& row, const std::string& folder) {
@@ -136,19 +137,19 @@ std::string detail(const Row& row, const std::string& folder) {
         "<details id=\"{}\"{}{}><summary><span class=\"sign {}\">{}</span> {} <span "
         "class=\"small\">{}</span></summary>\n",
         anchor(row.result.id), row.red() ? " open data-red" : "", "", kClasses[index(row.state)],
-        kSigns[index(row.state)], xml_safe(row.result.id), xml_safe(row.word));
+        kSigns[index(row.state)], markup_text(row.result.id), markup_text(row.word));
     html += paragraph(row.result.line) + paragraph(row.result.repeats) + paragraph(row.note);
     html += timeline_svg(row.result);
     if (row.result.verify.is_object()) {
         html += "<pre>";
         for (const json& check : row.result.verify.value("checks", json::array())) {
             if (check.is_object()) {
-                html += xml_safe(fmt::format("{:<13} {:<7} {}\n", check.value("name", ""),
-                                             check.value("verdict", ""), check.value("text", "")));
+                html += markup_text(fmt::format("{:<13} {:<7} {}\n", check.value("name", ""),
+                                                check.value("verdict", ""), check.value("text", "")));
             }
         }
         for (const json& part : row.result.verify.value("parts_not_compared", json::array())) {
-            html += xml_safe(
+            html += markup_text(
                 fmt::format("not compared  {}\n", part.is_string() ? part.get<std::string>() : part.dump()));
         }
         html += "</pre>\n";
@@ -164,7 +165,7 @@ std::string detail(const Row& row, const std::string& folder) {
                 }
                 html += fmt::format("<tr>{}<td class=\"n\">{:.2f}</td><td>{}</td></tr>\n",
                                     number_cell(d.value("step", std::uint64_t{0})), d.value("seconds", 0.0),
-                                    xml_safe(fmt::format("{}", fmt::join(parts, ", "))));
+                                    markup_text(fmt::format("{}", fmt::join(parts, ", "))));
             }
             html += "</tbody></table>\n";
         }
@@ -173,14 +174,14 @@ std::string detail(const Row& row, const std::string& folder) {
     if (row.result.crash) {
         html += "<pre>";
         for (const std::string& frame : row.result.crash->frames) {
-            html += xml_safe(frame) + "\n";
+            html += markup_text(frame) + "\n";
         }
         html += "</pre>\n";
     } else if (row.result.times.is_object() && row.result.times.contains("frames")) {
         html += fmt::format("<p>Where it was, after step {}:</p><pre>",
                             row.result.times.value("step", std::uint64_t{0}));
         for (const json& frame : row.result.times["frames"]) {
-            html += xml_safe(frame.get<std::string>()) + "\n";
+            html += markup_text(frame.get<std::string>()) + "\n";
         }
         html += "</pre>\n";
     }
@@ -229,10 +230,10 @@ std::string strip(const Summary& s) {
                                                                   : count.name);
     }
     html += fmt::format("</ul>\n<div class=\"small\">{}, {}, {}; {} runs {}, {:.1f} s</div>\n",
-                        xml_safe(s.facts.build), xml_safe(s.facts.machine), xml_safe(s.facts.day),
-                        s.rows.size() + s.mutants.size(), xml_safe(s.facts.executor), s.facts.seconds);
+                        markup_text(s.facts.build), markup_text(s.facts.machine), markup_text(s.facts.day),
+                        s.rows.size() + s.mutants.size(), markup_text(s.facts.executor), s.facts.seconds);
     for (const std::string& note : s.facts.notes) {
-        html += fmt::format("<div class=\"small\">{}</div>\n", xml_safe(note));
+        html += fmt::format("<div class=\"small\">{}</div>\n", markup_text(note));
     }
     return html + copy_line(s.facts.command) + "</div>\n";
 }
@@ -257,7 +258,7 @@ std::string coverage(const Summary& s) {
     }
     std::string html = "<h2 id=\"coverage\">What the replays exercise</h2>\n<pre>";
     for (const std::string& line : coverage_lines(s.coverage)) {
-        html += xml_safe(line) + "\n";
+        html += markup_text(line) + "\n";
     }
     return html + "</pre>\n";
 }
@@ -275,8 +276,8 @@ std::string mutants(const Summary& s) {
             ? fmt::format("; in pictures {} of {}", s.receipt.blemishes, s.made(ItemKind::blemish))
             : "");
     for (const Row& row : s.mutants) {
-        html += fmt::format("<tr>{}<td>{}</td><td>{}</td></tr>\n", state_cell(row), xml_safe(row.result.id),
-                            xml_safe(row.result.line));
+        html += fmt::format("<tr>{}<td>{}</td><td>{}</td></tr>\n", state_cell(row),
+                            markup_text(row.result.id), markup_text(row.result.line));
     }
     return html + "</tbody></table>\n";
 }
@@ -288,8 +289,8 @@ std::string html_report(const Summary& s) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\">"
         "<title>{} {}</title>\n<style>{}</style></head><body>\n<h1>Replay suite {}</h1>\n",
-        s.exit_code() == 0 ? "green:" : "red:", xml_safe(s.facts.folder), kPageStyle,
-        xml_safe(s.facts.folder));
+        s.exit_code() == 0 ? "green:" : "red:", markup_text(s.facts.folder), kPageStyle,
+        markup_text(s.facts.folder));
     html += strip(s) + counters(s) + table(s) + "<h2>Replays</h2>\n";
     for (const Row& row : s.rows) {
         html += detail(row, s.facts.folder);

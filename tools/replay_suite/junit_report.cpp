@@ -14,8 +14,8 @@ double seconds_of(const Row& row) {
 
 std::string case_xml(const Row& row, const char* group) {
     std::string text = fmt::format("  <testcase classname=\"replay.{}\" name=\"{}\" time=\"{:.3f}\"", group,
-                                   xml_safe(row.result.id), seconds_of(row));
-    const std::string message = xml_safe(row.word + ": " + row.result.line);
+                                   markup_text(row.result.id), seconds_of(row));
+    const std::string message = markup_text(row.word + ": " + row.result.line);
     std::string body = row.result.repeats;
     for (const std::string& more : {row.note, row.result.failure}) {
         body += (body.empty() || more.empty() ? "" : "\n") + more;
@@ -30,55 +30,21 @@ std::string case_xml(const Row& row, const char* group) {
             return text + "/>\n";
         case State::crashed:
             return text + fmt::format(">\n   <error message=\"{}\" type=\"{}\">{}</error>\n  </testcase>\n",
-                                      message, verdict_name(row.result.verdict), xml_safe(body));
+                                      message, verdict_name(row.result.verdict), markup_text(body));
         case State::failed:
         case State::flaky:
             return text +
                    fmt::format(">\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n  </testcase>\n",
-                               message, verdict_name(row.result.verdict), xml_safe(body));
+                               message, verdict_name(row.result.verdict), markup_text(body));
         case State::accepted:
         case State::not_judged:
             break;
     }
     return text + fmt::format(">\n   <skipped message=\"{}\">{}</skipped>\n  </testcase>\n", message,
-                              xml_safe(body));
+                              markup_text(body));
 }
 
 }  // namespace
-
-std::string xml_safe(std::string_view text) {
-    std::string safe;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8_character(text, at);
-        const char c = text[at];
-        if (length == 0 || (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')) {
-            safe += "?";  // what no XML may hold
-            ++at;
-            continue;
-        }
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                safe += text.substr(at, length);
-        }
-        at += length;
-    }
-    return safe;
-}
 
 std::string junit_report(const Summary& s) {
     std::size_t failures = s.faults.size(), errors = 0, skipped = 0;
@@ -99,12 +65,12 @@ std::string junit_report(const Summary& s) {
         cases += fmt::format(
             "  <testcase classname=\"replay.suite\" name=\"suite\">\n   <failure message=\"{}\"/>\n  "
             "</testcase>\n",
-            xml_safe(fault));
+            markup_text(fault));
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"{}\" tests=\"{}\" "
         "failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n{} </testsuite>\n</testsuites>\n",
-        xml_safe(s.facts.folder), s.rows.size() + s.mutants.size() + s.faults.size(), failures, errors,
+        markup_text(s.facts.folder), s.rows.size() + s.mutants.size() + s.faults.size(), failures, errors,
         skipped, seconds, cases);
 }
 

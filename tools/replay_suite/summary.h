@@ -66,9 +66,6 @@ std::string json_report(const Summary& summary);
 std::string junit_report(const Summary& summary);
 std::string html_report(const Summary& summary);
 
-// `text` with what XML and HTML would read as marks written out, and what they cannot hold replaced.
-std::string xml_safe(std::string_view text);
-
 // "7 597 580".
 std::string with_spaces(std::uint64_t number);
 

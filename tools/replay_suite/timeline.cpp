@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lanthorn/core/printable.h"
 #include "lanthorn/core/time_step.h"
 #include "tools/replay_suite/summary.h"
 
@@ -38,11 +39,11 @@ class Lanes {
         marks_ += fmt::format(
             "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
             "height=\"{:.1f}\"><title>{}</title></rect>\n",
-            kind, x(from), y + kLane - h, w, h, xml_safe(title));
+            kind, x(from), y + kLane - h, w, h, markup_text(title));
     }
     void line(double y, const char* kind, double step, const std::string& title) {
         marks_ += fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}v{}\"><title>{}</title></path>\n", kind,
-                              x(step), y - 2, kLane + 4, xml_safe(title));
+                              x(step), y - 2, kLane + 4, markup_text(title));
     }
     std::string svg() const {
         const double bottom = kTop + lanes_ * (kLane + kGap);

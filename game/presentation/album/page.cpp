@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "lanthorn/core/printable.h"
+
 namespace lanthorn::game {
 
 namespace {
@@ -27,29 +29,6 @@ figcaption { padding: 0.3em 0; color: #a8977a; }
 <h1>lamplighter</h1>
 )";
 
-std::string escaped(const std::string& words) {
-    std::string out;
-    for (const char c : words) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
 // A file's name as a relative reference (RFC 3986): what could be read as anything else is written %41.
 std::string uri(const std::string& file) {
     constexpr const char* kDigits = "0123456789ABCDEF";
@@ -66,9 +45,9 @@ std::string uri(const std::string& file) {
 }
 
 std::string figure(const std::string& file, const std::string& alternative, const std::string& caption) {
-    std::string out = "<figure><img src=\"" + uri(file) + "\" alt=\"" + escaped(alternative) + "\">";
+    std::string out = "<figure><img src=\"" + uri(file) + "\" alt=\"" + markup_text(alternative) + "\">";
     if (!caption.empty()) {
-        out += "<figcaption>" + escaped(caption) + "</figcaption>";
+        out += "<figcaption>" + markup_text(caption) + "</figcaption>";
     }
     return out + "</figure>\n";
 }
@@ -77,13 +56,13 @@ std::string figure(const std::string& file, const std::string& alternative, cons
 
 std::string page(const Album& album) {
     std::string out = kHead;
-    out += "<p>" + escaped(album.words) + "</p>\n";
+    out += "<p>" + markup_text(album.words) + "</p>\n";
     if (!album.moving.empty()) {
         out += "<div class=\"moving\">\n" + figure(album.moving, "All levels, one after another", "") +
                "</div>\n";
     }
     for (const AlbumLevel& level : album.levels) {
-        out += "<h2>" + escaped(level.title) + "</h2>\n<p>" + escaped(level.words) +
+        out += "<h2>" + markup_text(level.title) + "</h2>\n<p>" + markup_text(level.words) +
                "</p>\n<div class=\"stills\">\n";
         for (const AlbumPicture& picture : level.pictures) {
             out += figure(picture.file, level.title + ": " + picture.words, picture.words);

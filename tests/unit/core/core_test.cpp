@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "engine/core/base64.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/math.h"
 #include "lanthorn/core/printable.h"
@@ -53,6 +54,20 @@ TEST(Printable, KeepsWordsOfAnyLanguage) {
     EXPECT_EQ(printable("a\tb\r\n"), "a\\tb\\r\\n");
     EXPECT_EQ(printable("\u202eevil"), "\\u202eevil");
     EXPECT_EQ(printable("\xc0\xaf\xed\xa0\x80"), "\\xc0\\xaf\\xed\\xa0\\x80") << "overlong and surrogate";
+}
+
+TEST(Printable, NothingIsReadAsMarkup) {
+    EXPECT_EQ(markup_text("<b a=\"1\" c='2'> Tür & 扉\n"),
+              "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt; Tür &amp; 扉\n");
+    EXPECT_EQ(markup_text("\x1b[0m\xc0 end"), "?[0m? end");
+}
+
+TEST(Base64, IsTheStandards) {  // RFC 4648, section 10, and all bits
+    const char* const expected[] = {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};
+    for (std::size_t size = 0; size <= 6; ++size) {
+        EXPECT_EQ(base64(std::string_view("foobar").substr(0, size)), expected[size]);
+    }
+    EXPECT_EQ(base64("\xff\xef\xbe"), "/+++");
 }
 
 TEST(Printable, ShortTextsAreNotCutWithinACharacter) {

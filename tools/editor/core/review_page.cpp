@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "engine/assets/png_image.h"
-#include "engine/assets/uri.h"
+#include "engine/core/base64.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/colour.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/editor/core/error_map.h"
@@ -32,22 +33,8 @@ struct Look {
     std::vector<workbench::ContractVerdict> contracts;
 };
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        result += c == '&'   ? "&amp;"
-                  : c == '<' ? "&lt;"
-                  : c == '>' ? "&gt;"
-                  : c == '"' ? "&quot;"
-                             : std::string(1, c);
-    }
-    return result;
-}
-
 std::string picture_uri(const ImageF& image) {
-    constexpr std::string_view kAnyBytes = "application/octet-stream";
-    std::string uri = data_uri(png_picture(image));
-    return uri.replace(uri.find(kAnyBytes), kAnyBytes.size(), "image/png");
+    return "data:image/png;base64," + base64(png_picture(image));
 }
 
 ImageF lux_image(const render::FrameRenderer& frame) {
@@ -150,7 +137,8 @@ std::string pair_of(const char* kind, const ImageF& before, const ImageF& after)
 }
 
 std::string row(const char* what, const std::string& before, const std::string& after) {
-    return fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>\n", what, escaped(before), escaped(after));
+    return fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>\n", what, markup_text(before),
+                       markup_text(after));
 }
 
 std::string error_text(const ErrorMap& map) {
@@ -167,8 +155,8 @@ std::string section(const ReviewView& view, const Look& before, const Look& afte
         amounts.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(amounts.size() - 1));
     std::ranges::nth_element(amounts, high);
     const double most = std::max(1e-6, static_cast<double>(*high));
-    std::string html = fmt::format("<section><h2>{}</h2><p class='pose'>--pose={}</p>\n", escaped(view.name),
-                                   workbench::text_of(view.pose));
+    std::string html = fmt::format("<section><h2>{}</h2><p class='pose'>--pose={}</p>\n",
+                                   markup_text(view.name), workbench::text_of(view.pose));
     html +=
         "<div class='tabs'><button data-show='final'>Final</button><button data-show='lux'>Lux</button>"
         "<button data-show='error'>Error</button></div>\n";
@@ -199,7 +187,7 @@ std::string contracts_html(const Look& before, const Look& after) {
         for (const Look* look : {&before, &after}) {
             html += i < look->contracts.size()
                         ? fmt::format("<td class='{}'>{}</td>", look->contracts[i].kept ? "kept" : "broken",
-                                      escaped(contract_words(look->contracts[i])))
+                                      markup_text(contract_words(look->contracts[i])))
                         : std::string("<td></td>");
         }
         html += "</tr>\n";
@@ -220,8 +208,8 @@ void write_review(const EditSession& session, const Settings& settings, const st
         "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{0}: "
         "review</title><style>{1}</style></head>"
         "<body><h1>{0}</h1><p>{2}; {3} {4}</p>\n",
-        escaped(name), kReviewStyle, escaped(summary(changes, session.file_bytes())),
-        escaped(settings.text("gi.technique")),
+        markup_text(name), kReviewStyle, markup_text(summary(changes, session.file_bytes())),
+        markup_text(settings.text("gi.technique")),
         views.size() == 1 ? "in one view" : fmt::format("in {} views", views.size()));
     std::string contracts;
     for (const ReviewView& view : views) {
@@ -232,12 +220,12 @@ void write_review(const EditSession& session, const Settings& settings, const st
     }
     html += contracts + "<section><h2>Edits</h2><ol>\n";
     for (std::size_t i = 0; i < session.steps().position(); ++i) {
-        html += fmt::format("<li>{}</li>\n", escaped(session.steps().steps()[i].text));
+        html += fmt::format("<li>{}</li>\n", markup_text(session.steps().steps()[i].text));
     }
     html += "</ol></section><section><h2>Text that changes</h2><pre>\n";
     for (const TextChanges::Line& line : changes.lines) {
         html += fmt::format("<span class='{}'>{}{:6} {}</span>\n", line.added ? "plus" : "minus",
-                            line.added ? '+' : '-', line.line, escaped(line.text));
+                            line.added ? '+' : '-', line.line, markup_text(line.text));
     }
     html += fmt::format("</pre></section><script>{}</script></body></html>\n", kReviewScript);
     write_file(page, html);

@@ -5,18 +5,6 @@
 
 namespace lanthorn::tools {
 
-std::string xml_text(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '<'   ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '&' ? "&amp;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    }
-    return out;
-}
-
 LogAxis::LogAxis(double low, double high, double from, double to)
     : low_(std::log10(low)), high_(std::log10(high)), from_(from), to_(to) {}
 

@@ -1,13 +1,10 @@
-// What drawings of measurements share: axes and text.
+// What drawings of measurements share: axes.
 #pragma once
 
 #include <string>
 #include <vector>
 
 namespace lanthorn::tools {
-
-// `text` with what XML reads as markup replaced.
-std::string xml_text(const std::string& text);
 
 // A logarithmic axis over a range of values, in pixels.
 class LogAxis {

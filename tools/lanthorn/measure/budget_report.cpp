@@ -7,7 +7,7 @@
 #include <functional>
 #include <iterator>
 
-#include "tools/lanthorn/common/svg.h"
+#include "lanthorn/core/printable.h"
 
 namespace lanthorn::tools {
 
@@ -114,7 +114,7 @@ std::string budget_svg(const BudgetRecord& record, const BudgetRunJob& job, cons
         "</style>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
         kStripWidth, height);
     svg += parts(record, ms, strips);
-    svg += fmt::format("<text x=\"{}\" y=\"18\" class=\"title\">{}</text>\n", kStripLeft, xml_text(title));
+    svg += fmt::format("<text x=\"{}\" y=\"18\" class=\"title\">{}</text>\n", kStripLeft, markup_text(title));
     svg += ms.title(job.wish.processor ? "milliseconds of processor time" : "milliseconds");
     for (const double share : {0.5, 1.0, 1.5, 2.0, 2.5}) {
         svg += ms.level(share * ms.high / 2.5, fmt::format("{:.3g}", share * ms.high / 2.5), "grid");
@@ -146,7 +146,7 @@ std::string budget_svg(const BudgetRecord& record, const BudgetRunJob& job, cons
             "<path class=\"step\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
             "text-anchor=\"middle\">{4}</text>\n<text x=\"{5}\" y=\"{6}\">{4}: frame {7}, {8}: {9}</text>\n",
             x, kStripTop, kStripTop + strips, kStripTop + strips + 13, k + 1, kStripLeft, y, step.frame,
-            xml_text(step.name), xml_text(step.why));
+            markup_text(step.name), markup_text(step.why));
         y += 16;
     }
     return svg + "</svg>\n";

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "lanthorn/core/printable.h"
-#include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/measure/costs_report.h"
 
 namespace lanthorn::tools {
@@ -39,14 +38,15 @@ std::string number_cell(double value) {
 }
 
 std::string text_cell(const std::string& words) {
-    return "<td class=\"text\">" + xml_text(printable(words)) + "</td>";
+    return "<td class=\"text\">" + markup_text(printable(words)) + "</td>";
 }
 
 // `words`: columns of text among them, which begin where their heading does, as the first one.
 std::string heading_row(const std::vector<std::string>& cells, const std::set<std::size_t>& words = {}) {
     std::string html = "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        html += (i == 0 || words.contains(i) ? "<th class=\"text\">" : "<th>") + xml_text(cells[i]) + "</th>";
+        html +=
+            (i == 0 || words.contains(i) ? "<th class=\"text\">" : "<th>") + markup_text(cells[i]) + "</th>";
     }
     return html + "</tr>\n";
 }
@@ -55,7 +55,7 @@ std::string passes_html(const MotionCosts& motion) {
     const FrameCosts& costs = motion.planned;
     std::string html = fmt::format("<h3>Milliseconds by pass: {}</h3>\n", name_of(costs.motion));
     if (!costs.lacking.empty()) {
-        return html + "<p>" + xml_text(costs.lacking) + "</p>\n";
+        return html + "<p>" + markup_text(costs.lacking) + "</p>\n";
     }
     html += "<table>" + heading_row({"pass", "ms", "mean", "by the clock", ""});
     const double most = costs.whole;
@@ -180,13 +180,14 @@ std::string left_out_html(const MotionCosts& motion) {
 
 std::string costs_html(const std::vector<SceneCosts>& scenes, const CostsHead& head) {
     std::string html = kPageHead;
-    html += fmt::format("<p>{}{}{}, {} x {} pixels, {} frames after {}, {} rounds.<br/>{}; {}<br/>{}</p>\n",
-                        xml_text(head.technique), head.preset.empty() ? "" : xml_text(' ' + head.preset),
-                        head.set.empty() ? "" : ", " + xml_text(fmt::format("{}", fmt::join(head.set, " "))),
-                        head.size.x, head.size.y, head.frames, head.warmup, head.rounds,
-                        xml_text(head.renderer), xml_text(head.time), xml_text(head.build));
+    html +=
+        fmt::format("<p>{}{}{}, {} x {} pixels, {} frames after {}, {} rounds.<br/>{}; {}<br/>{}</p>\n",
+                    markup_text(head.technique), head.preset.empty() ? "" : markup_text(' ' + head.preset),
+                    head.set.empty() ? "" : ", " + markup_text(fmt::format("{}", fmt::join(head.set, " "))),
+                    head.size.x, head.size.y, head.frames, head.warmup, head.rounds,
+                    markup_text(head.renderer), markup_text(head.time), markup_text(head.build));
     for (const SceneCosts& scene : scenes) {
-        html += "<h2>" + xml_text(printable(scene.name)) + "</h2>\n";
+        html += "<h2>" + markup_text(printable(scene.name)) + "</h2>\n";
         for (const MotionCosts& motion : scene.motions) {
             html += passes_html(motion);
         }

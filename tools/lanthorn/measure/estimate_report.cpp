@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/core/printable.h"
 #include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/common/text_table.h"
 #include "tools/workbench/scene/median.h"
@@ -77,8 +78,8 @@ std::string panel(const std::vector<EstimatePoint>& points, EstimatedFigure figu
         svg += fmt::format(
             "<g transform=\"translate({:.1f} {:.1f})\"><title>{}, {}, {}: {:.3g}, estimated "
             "{:.3g}</title>{}</g>\n",
-            x(true_error(point, figure)), y(estimated(point, figure)), xml_text(point.scene),
-            xml_text(point.of), point.motion, true_error(point, figure), estimated(point, figure),
+            x(true_error(point, figure)), y(estimated(point, figure)), markup_text(point.scene),
+            markup_text(point.of), point.motion, true_error(point, figure), estimated(point, figure),
             mark_of(point, preset));
     }
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">true, against path</text>\n",
@@ -96,7 +97,7 @@ std::string legend(const std::vector<EstimatePoint>& points) {
     const double y = kTop + kSide + 60;
     const auto entry = [&](const EstimatePoint& like, std::size_t preset, const std::string& words) {
         svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n", x, y,
-                           mark_of(like, preset), xml_text(words));
+                           mark_of(like, preset), markup_text(words));
         x += 40 + 6.5 * static_cast<double>(words.size());
     };
     EstimatePoint like;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/lanthorn/common/svg.h"
+#include "lanthorn/core/printable.h"
 #include "tools/lanthorn/common/text_table.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
@@ -138,7 +138,7 @@ std::string advice_html(const std::vector<ChartRow>& rows, const Wishes& wishes)
         const auto found = advice.best ? cells(*advice.best, advice.best->way.options())
                                        : std::vector<std::string>{nothing_fits(wish, advice)};
         for (const std::string& cell : found) {
-            html += "<td class=\"text\">" + xml_text(cell) + "</td>";
+            html += "<td class=\"text\">" + markup_text(cell) + "</td>";
         }
         html += "</tr>\n";
     }

@@ -2,28 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/lanthorn/common/svg.h"
+#include "engine/core/base64.h"
+#include "lanthorn/core/printable.h"
 #include "tools/lanthorn/trade/advice_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
 namespace lanthorn::tools {
 
 namespace {
-
-std::string base64(const std::string& bytes) {
-    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto at = [&](std::size_t k) {
-            return k < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[k])) : 0u;
-        };
-        const unsigned group = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
-        for (unsigned k = 0; k < 4; ++k) {
-            text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-        }
-    }
-    return text;
-}
 
 struct Column {
     const char* title;
@@ -139,14 +125,14 @@ std::string table(const std::vector<TradeResult>& results) {
             !r.measured() ? "lost"
             : r.on_front  ? "front"
                           : "",
-            xml_text(r.point.scene_name()), xml_text(r.point.label()), r.on_front ? "1" : "");
+            markup_text(r.point.scene_name()), markup_text(r.point.label()), r.on_front ? "1" : "");
         if (r.measured()) {
             for (const Column& column : kColumns) {
                 html += fmt::format("<td>{:.3g}</td>", column.value(r.figures));
             }
         } else {
             html += fmt::format("<td class=\"text\" colspan=\"{}\">lost: {}</td>", std::size(kColumns),
-                                xml_text(r.lost));
+                                markup_text(r.lost));
         }
         html += "</tr>\n";
     }
@@ -188,9 +174,9 @@ std::string data(const std::vector<TradeResult>& results) {
 
 std::string trade_html(const std::vector<TradeResult>& results, const TradeContext& context) {
     return kHead +
-           fmt::format("<p>{}<br>{}<br>{}; {}<br>{}</p>\n", xml_text(context.method),
-                       xml_text(context.reference), xml_text(context.machine), xml_text(context.renderer),
-                       xml_text(context.build)) +
+           fmt::format("<p>{}<br>{}<br>{}; {}<br>{}</p>\n", markup_text(context.method),
+                       markup_text(context.reference), markup_text(context.machine),
+                       markup_text(context.renderer), markup_text(context.build)) +
            advice(results) + charts(results) +
            "<p>Green rows are on the front of relRMSE. A click on a heading sorts. The card shows the "
            "picture and, "

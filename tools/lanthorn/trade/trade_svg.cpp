@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "lanthorn/core/printable.h"
 #include "tools/lanthorn/common/svg.h"
 #include "tools/lanthorn/trade/label_places.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -184,7 +185,7 @@ class Chart {
                       const LogAxis& y) const {
         const double bottom = plot_bottom();
         std::string svg = fmt::format("<text x=\"{}\" y=\"{}\" class=\"title\">{}</text>\n", layout_.left,
-                                      layout_.top - 16, xml_text(title));
+                                      layout_.top - 16, markup_text(title));
         for (const double tick : x.ticks()) {
             svg += fmt::format(
                 "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
@@ -256,7 +257,7 @@ class Chart {
         double at = layout_.top + 8;
         for (const Marks::Line& line : marks_.legend(shown())) {
             svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n",
-                               plot_right() + 18, at, line.mark, xml_text(line.text));
+                               plot_right() + 18, at, line.mark, markup_text(line.text));
             at += 20;
         }
         return svg;
@@ -273,13 +274,13 @@ class Chart {
                 const LabelPlace& place = places.at(i);
                 mark += fmt::format("<text class=\"name\" x=\"{:g}\" y=\"{:g}\"{}>{}</text>", place.from.x,
                                     place.from.y, place.before ? " text-anchor=\"end\"" : "",
-                                    xml_text(point.label()));
+                                    markup_text(point.label()));
             }
             (preset ? presets : svg) += fmt::format(
                 "<g class=\"point\" data-i=\"{}\" transform=\"translate({:.1f} {:.1f})\"><title>{}: {:.3g} "
                 "{}, {} "
                 "{:.3g}</title>{}</g>\n",
-                i, x(cost(i)), y(error(i)), xml_text(point.label()), cost(i), axis_.name, measure_.name,
+                i, x(cost(i)), y(error(i)), markup_text(point.label()), cost(i), axis_.name, measure_.name,
                 error(i), mark);
         }
         return svg + presets;
@@ -311,7 +312,7 @@ std::string legend_in_rows(const std::vector<Marks::Line>& lines, double width, 
             top += kRow;
         }
         svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n", at,
-                           top, line.mark, xml_text(line.text));
+                           top, line.mark, markup_text(line.text));
         at += takes;
     }
     top += kRow + 6;
@@ -400,7 +401,7 @@ std::string trade_svg(const std::vector<TradeResult>& results, const TradeContex
                                context.build});
     for (const std::string& line : lines) {
         foot += fmt::format("<text x=\"{}\" y=\"{}\" class=\"foot\">{}</text>\n", kPanel.left, top,
-                            xml_text(line));
+                            markup_text(line));
         top += kLine;
     }
     return fmt::format(
