@@ -120,83 +120,109 @@ SceneData with_black_skies(SceneData scene) {
     return scene;
 }
 
-}  // namespace
-
-Effects measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
-                        const EffectsJob& job, const std::function<void(std::uint64_t)>& done) {
+// All that is compared: the technique's, the path tracer's, and two halves of its samples, each with noise of
+// its own.
+struct Compared {
     Parts ours, theirs;
     std::array<Parts, 2> halves;
     FirstSurfaces first;
-    double diagonal = 1;
+    double diagonal = 1;  // of the scene, metres
+};
+
+Compared make_pictures(const std::function<SceneData()>& scene, const Settings& settings,
+                       const EffectsJob& job, const std::function<void(std::uint64_t)>& done) {
+    Compared all;
     std::uint64_t pictures = 0;
     const auto keep = [&](Pictures made) {
         done(++pictures);
         return made;
     };
-    ours.whole = keep(rendered(scene(), settings, job, true));
-    ours.without_caustics = keep(rendered(scene(), settings, job, false));
     const auto still = [&](SceneData data) {
         auto shown = std::make_unique<ShownScene>(std::move(data), job.view);
         shown->show_at(job.view.time.value_or(0));
         return shown;
     };
+    all.ours.whole = keep(rendered(scene(), settings, job, true));
+    all.ours.without_caustics = keep(rendered(scene(), settings, job, false));
     {
         const auto shown = still(scene());
-        first = what_is_shown(shown->frame(), job.size);
-        diagonal = shown->frame().diagonal();
+        all.first = what_is_shown(shown->frame(), job.size);
+        all.diagonal = shown->frame().diagonal();
         for (std::uint32_t h = 0; h < 2; ++h) {
-            halves[h].whole = keep(traced(shown->frame(), settings, job, true, h));
-            halves[h].without_caustics = keep(traced(shown->frame(), settings, job, false, h));
+            all.halves[h].whole = keep(traced(shown->frame(), settings, job, true, h));
+            all.halves[h].without_caustics = keep(traced(shown->frame(), settings, job, false, h));
         }
-        theirs.whole = mean_of(halves[0].whole, halves[1].whole);
-        theirs.without_caustics = mean_of(halves[0].without_caustics, halves[1].without_caustics);
+        all.theirs.whole = mean_of(all.halves[0].whole, all.halves[1].whole);
+        all.theirs.without_caustics = mean_of(all.halves[0].without_caustics, all.halves[1].without_caustics);
     }
     if (!scene().skies.empty()) {
-        ours.without_sky = keep(rendered(with_black_skies(scene()), settings, job, true));
+        all.ours.without_sky = keep(rendered(with_black_skies(scene()), settings, job, true));
         const auto dark = still(with_black_skies(scene()));
         const auto half = [&](std::uint32_t h) { return traced(dark->frame(), settings, job, true, h); };
-        theirs.without_sky = keep(mean_of(half(0), half(1)));
+        all.theirs.without_sky = keep(mean_of(half(0), half(1)));
     }
+    return all;
+}
 
+double caustic(const Parts& of, std::size_t p) {
+    return luminance(of.whole.indirect, p) - luminance(of.without_caustics.indirect, p);
+}
+
+// The mean of `value` over the pixels that show that, or over all, by both; nothing where both have none.
+template <class Value>
+std::optional<Effect> effect_of(const char* name, const char* unit, std::optional<Shows> where,
+                                const Compared& all, const Value& value) {
+    const std::vector<Shows>& shows = all.first.shows;
+    Effect effect{name, unit};
+    double count = 0;
+    for (std::size_t p = 0; p < shows.size(); ++p) {
+        if (!where || shows[p] == *where) {
+            effect.technique += value(all.ours, p);
+            effect.reference += value(all.theirs, p);
+            ++count;
+        }
+    }
+    if (!(effect.reference != 0 || effect.technique != 0)) {
+        return std::nullopt;
+    }
+    effect.technique /= count;
+    effect.reference /= count;
+    effect.share = count / static_cast<double>(shows.size());
+    return effect;
+}
+
+// How far the brightest caustic is from where the path tracer has it, and how far its halves are apart.
+void compare_peaks(const Compared& all, ivec2 size, Effects& effects) {
+    const auto peak_of = [&](const Parts& of) {
+        std::vector<double> lux;
+        for (std::size_t p = 0; p < all.first.shows.size(); ++p) {
+            lux.push_back(caustic(of, p));
+        }
+        return brightest_place(lux, all.first.receives, size);
+    };
+    const auto ours = peak_of(all.ours), theirs = peak_of(all.theirs);
+    const auto a = peak_of(all.halves[0]), b = peak_of(all.halves[1]);
+    if (ours && theirs && a && b) {
+        effects.peak = {glm::distance(*ours, *theirs) / all.diagonal, glm::distance(*a, *b) / all.diagonal};
+    }
+}
+
+}  // namespace
+
+Effects measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
+                        const EffectsJob& job, const std::function<void(std::uint64_t)>& done) {
+    const Compared all = make_pictures(scene, settings, job, done);
     Effects effects;
-    const std::vector<Shows>& shows = first.shows;
     const auto add = [&](const char* name, const char* unit, std::optional<Shows> where, const auto& value) {
-        Effect effect{name, unit};
-        double count = 0;
-        for (std::size_t p = 0; p < shows.size(); ++p) {
-            if (!where || shows[p] == *where) {
-                effect.technique += value(ours, p);
-                effect.reference += value(theirs, p);
-                ++count;
-            }
+        if (std::optional<Effect> found = effect_of(name, unit, where, all, value)) {
+            effects.parts.push_back(*std::move(found));
         }
-        if (!(effect.reference != 0 || effect.technique != 0)) {
-            return;
-        }
-        effect.technique /= count;
-        effect.reference /= count;
-        effect.share = count / static_cast<double>(shows.size());
-        effects.parts.push_back(effect);
     };
     add("diffuse indirect", "lx", Shows::diffuse,
         [](const Parts& of, std::size_t p) { return luminance(of.without_caustics.indirect, p); });
-    const auto caustic = [](const Parts& of, std::size_t p) {
-        return luminance(of.whole.indirect, p) - luminance(of.without_caustics.indirect, p);
-    };
     add("caustics", "lx", Shows::diffuse, caustic);
-    const auto peak_of = [&](const Parts& of) {
-        std::vector<double> lux;
-        for (std::size_t p = 0; p < shows.size(); ++p) {
-            lux.push_back(caustic(of, p));
-        }
-        return brightest_place(lux, first.receives, job.size);
-    };
-    const auto our_peak = peak_of(ours), peak = peak_of(theirs);
-    const auto a = peak_of(halves[0]), b = peak_of(halves[1]);
-    if (our_peak && peak && a && b) {
-        effects.peak = {glm::distance(*our_peak, *peak) / diagonal, glm::distance(*a, *b) / diagonal};
-    }
-    if (ours.without_sky) {
+    compare_peaks(all, job.size, effects);
+    if (all.ours.without_sky) {
         add("of both, the sky", "lx", Shows::diffuse, [](const Parts& of, std::size_t p) {
             return luminance(of.whole.indirect, p) - luminance(of.without_sky->indirect, p);
         });
