@@ -1,20 +1,13 @@
 #version 450 core
-// Irradiance by caustic photons. One work group sums 8 x 8 pixels: its invocations first find, each a share, the photons of
-// their tile whose splats reach the block, then each sums those over four pixels. In order of photons, so that sums are the
-// same in every run.
+// Irradiance by caustic photons. One work group sums 8 x 8 pixels: its invocations find the photons that reach the block, then
+// each sums these over its pixels, in their order.
 layout(local_size_x = 8) in;
 
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"
 #define BAD_VALUES_BINDING 4
 #include "gi_module/shared/bad_values.glsl"
-#include "gi_module/techniques/emc/splat/splat_tiles.glsl"
 #include "caustic_kernel.glsl"
-
-const int kLanes = 8;  // as many as a software rasteriser does together: what they all need of a photon is fetched once
-const int kSide = 8;   // of the block
-const int kPixels = 8;  // an invocation
-const int kShare = 32;  // photons that an invocation tries on the block at once
 
 layout(rgba32f, binding = 0) uniform image2D caustics;
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
@@ -27,10 +20,9 @@ uniform int first_entry;  // of each tile's list
 uniform int entries;      // at most, of this dispatch
 uniform float local_length;
 
-shared vec3 lowers[kLanes];
-shared vec3 uppers[kLanes];
-shared int counts[kLanes];
-shared int touching[kShare * kLanes];  // photons
+float radius_of(vec4 place) { return place.w; }
+
+#include "gi_module/techniques/emc/splat/block_photons.glsl"
 
 void main() {
     int lane = int(gl_LocalInvocationID.x);
@@ -48,7 +40,7 @@ void main() {
     vec3 lower = vec3(1e30);
     vec3 upper = vec3(-1e30);
     for (int k = 0; k < kPixels; ++k) {
-        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        ivec2 p = block_pixel(corner, lane, k);
         ivec2 q = min(p, image_size - 1);
         float d = texelFetch(gbuffer_distance, q, 0).r;
         x[k] = render_position((vec2(q) + 0.5) / vec2(image_size), d);
@@ -58,40 +50,10 @@ void main() {
         lower = there[k] ? min(lower, x[k]) : lower;
         upper = there[k] ? max(upper, x[k]) : upper;
     }
-    lowers[lane] = lower;
-    uppers[lane] = upper;
-    barrier();
-    for (int width = kLanes / 2; width > 0; width >>= 1) {
-        if (lane < width) {
-            lowers[lane] = min(lowers[lane], lowers[lane + width]);
-            uppers[lane] = max(uppers[lane], uppers[lane + width]);
-        }
-        barrier();
-    }
-    lower = lowers[0];
-    upper = uppers[0];
+    join_boxes(lane, lower, upper);
 
     for (int run = first; run < last; run += kShare * kLanes) {
-        int begin = run + kShare * lane;
-        uint mine = 0u;
-        for (int i = 0; i < kShare; ++i) {
-            vec4 place = texelFetch(photon_hits, 2 * photon_of(list, min(begin + i, last - 1)));
-            vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
-            mine |= begin + i < last && dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
-        }
-        counts[lane] = bitCount(mine);
-        barrier();
-        int total = 0;
-        int at = 0;
-        for (int k = 0; k < kLanes; ++k) {
-            at += k < lane ? counts[k] : 0;
-            total += counts[k];
-        }
-        while (mine != 0u) {
-            touching[at++] = photon_of(list, begin + findLSB(mine));
-            mine &= mine - 1u;
-        }
-        barrier();
+        int total = find_touching(list, run, last, lane, lower, upper);
         for (int i = 0; i < total; ++i) {
             vec4 place = texelFetch(photon_hits, 2 * touching[i]);     // position, radius
             vec4 load = texelFetch(photon_hits, 2 * touching[i] + 1);  // power, normal
@@ -103,7 +65,7 @@ void main() {
         barrier();
     }
     for (int k = 0; k < kPixels; ++k) {
-        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        ivec2 p = block_pixel(corner, lane, k);
         if (any(greaterThanEqual(p, image_size))) continue;
         vec3 e = first_entry > 0 ? imageLoad(caustics, p).rgb + sum[k] : sum[k];
         bool bad = is_bad(e);

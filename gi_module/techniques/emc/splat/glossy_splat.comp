@@ -1,8 +1,7 @@
 #version 450 core
 // Radiance that glossy surfaces reflect of the photons around each pixel, at full size (Yao et al. 2010, sec. 6 and Fig. 8): the splat of
-// each, times the lobe for the direction in which it has come. One work group sums 8 x 8 pixels: its invocations first find, each a share,
-// the photons of their tile whose splats reach the block, then each sums those over its pixels, in order of photons, so that sums are the
-// same in every run.
+// each, times the lobe for the direction in which it has come. One work group sums 8 x 8 pixels: its invocations find the photons that
+// reach the block, then each sums these over its pixels, in their order.
 layout(local_size_x = 8) in;
 
 #define BANDWIDTH_FIXED 0
@@ -10,11 +9,6 @@ layout(local_size_x = 8) in;
 #include "engine/render/ggx.glsl"
 #define BAD_VALUES_BINDING 4
 #include "gi_module/shared/bad_values.glsl"
-
-const int kLanes = 8;
-const int kSide = 8;    // of the block
-const int kPixels = 8;  // an invocation
-const int kShare = 32;  // photons that an invocation tries on the block at once
 
 layout(rgba32f, binding = 0) uniform image2D glossy;  // a: share of the lobe
 uniform usamplerBuffer photon_directions;  // PhotonSet::directions
@@ -25,11 +19,6 @@ uniform int tile_size;
 uniform int first_entry;  // of each tile's list
 uniform int entries;      // at most, of this dispatch
 uniform float fixed_radius;  // metres; 0: each photon's own
-
-shared vec3 lowers[kLanes];
-shared vec3 uppers[kLanes];
-shared int counts[kLanes];
-shared int touching[kShare * kLanes];  // photons
 
 struct Lobe {
     vec3 normal;
@@ -57,6 +46,8 @@ vec3 reflected(Lobe s, vec3 l) {
 // `place`: position, radius; 0: no photon.
 float radius_of(vec4 place) { return fixed_radius > 0.0 && place.w > 0.0 ? fixed_radius : place.w; }
 
+#include "block_photons.glsl"
+
 void main() {
     int lane = int(gl_LocalInvocationID.x);
     ivec2 corner = ivec2(gl_WorkGroupID.xy) * kSide;
@@ -72,7 +63,7 @@ void main() {
     vec3 lower = vec3(1e30);
     vec3 upper = vec3(-1e30);
     for (int k = 0; k < kPixels; ++k) {
-        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        ivec2 p = block_pixel(corner, lane, k);
         ivec2 q = min(p, image_size - 1);
         float d;
         receiver[k] = receiver_at(q, d);
@@ -90,43 +81,11 @@ void main() {
         lower = share > 0.0 ? min(lower, receiver[k].x) : lower;
         upper = share > 0.0 ? max(upper, receiver[k].x) : upper;
     }
-    lowers[lane] = lower;
-    uppers[lane] = upper;
-    barrier();
-    for (int width = kLanes / 2; width > 0; width >>= 1) {
-        if (lane < width) {
-            lowers[lane] = min(lowers[lane], lowers[lane + width]);
-            uppers[lane] = max(uppers[lane], uppers[lane + width]);
-        }
-        barrier();
-    }
-    lower = lowers[0];
-    upper = uppers[0];
+    join_boxes(lane, lower, upper);
     last = lower.x > upper.x ? first : last;  // nothing glossy in the block
 
     for (int run = first; run < last; run += kShare * kLanes) {
-        int begin = run + kShare * lane;
-        uint mine = 0u;
-        for (int i = 0; i < kShare; ++i) {
-            int photon = photon_of(list, min(begin + i, last - 1));
-            vec4 place = texelFetch(photon_hits, 2 * photon);
-            float radius = radius_of(place);
-            vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
-            mine |= begin + i < last && dot(d, d) < radius * radius ? 1u << uint(i) : 0u;
-        }
-        counts[lane] = bitCount(mine);
-        barrier();
-        int total = 0;
-        int at = 0;
-        for (int k = 0; k < kLanes; ++k) {
-            at += k < lane ? counts[k] : 0;
-            total += counts[k];
-        }
-        while (mine != 0u) {
-            touching[at++] = photon_of(list, begin + findLSB(mine));
-            mine &= mine - 1u;
-        }
-        barrier();
+        int total = find_touching(list, run, last, lane, lower, upper);
         for (int i = 0; i < total; ++i) {
             vec4 place = texelFetch(photon_hits, 2 * touching[i]);
             Photon photon = photon_with(place.xyz, texelFetch(photon_hits, 2 * touching[i] + 1), radius_of(place));
@@ -138,7 +97,7 @@ void main() {
         barrier();
     }
     for (int k = 0; k < kPixels; ++k) {
-        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        ivec2 p = block_pixel(corner, lane, k);
         if (any(greaterThanEqual(p, image_size)) || !(scale[k] > 0.0)) continue;
         vec4 before = imageLoad(glossy, p);
         vec3 radiance = before.rgb + max(sum[k], vec3(0.0)) * scale[k];
