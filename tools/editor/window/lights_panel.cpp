@@ -40,8 +40,8 @@ bool toggle(const char* letter, bool on, ImU32 shade, float size) {
 }
 
 // A number that is dragged or typed, of all chosen rows or of this one.
-void cell(EditorState& state, const LightRow& row, const char* id, double value, const char* unit,
-          std::string_view field, const char* suffix, int digits) {
+void cell(EditorState& state, const LightRow& row, const char* id, double value, std::string_view field,
+          const char* suffix, int digits) {
     if (row.node == kNone) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", shown_number(value, digits).c_str());
@@ -60,7 +60,6 @@ void cell(EditorState& state, const LightRow& row, const char* id, double value,
     } else if (field == "light.range") {
         shown.upper = std::numeric_limits<double>::infinity();
     }
-    (void)unit;
     const NumberChange change = state.fields.number(shown);
     if (change.doing != Doing::nothing) {
         std::vector<std::uint32_t> nodes = {row.node};
@@ -81,6 +80,84 @@ void cell(EditorState& state, const LightRow& row, const char* id, double value,
                      std::move(lines));
     }
     ImGui::PopID();
+}
+
+void solo_and_mute(EditorState& state, const LightRow& row, float size) {
+    const auto flip = [&](std::set<std::uint32_t>& set) {
+        if (!set.erase(row.node)) {
+            set.insert(row.node);
+        }
+        state.pace.changed(0, false);
+    };
+    ImGui::TableNextColumn();
+    if (toggle("S", state.solo.contains(row.node), colour::chosen, size)) {
+        flip(state.solo);
+    }
+    ImGui::SameLine(0, 0);
+    if (toggle("M", state.muted.contains(row.node), colour::bad, size)) {
+        flip(state.muted);
+    }
+}
+
+// With its colour before it, and struck out while it is off. A click chooses the light.
+void name_cell(EditorState& state, const LightRow& row, float size) {
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const vec3 c = row.colour;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {at.x, at.y + 3}, {at.x + 10 * state.unit, at.y + size - 3},
+        ImGui::ColorConvertFloat4ToU32({std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z), 1}));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 14 * state.unit);
+    const bool off = state.muted.contains(row.node) || !row.shown ||
+                     (!state.solo.empty() && !state.solo.contains(row.node));
+    if (off) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour::faint);
+    }
+    const std::string whole = row.node == kNone ? row.name + " (guest)" : row.name;
+    const std::string name = elided(whole, ImGui::GetContentRegionAvail().x, text_width);
+    ImGui::AlignTextToFramePadding();
+    const ImVec2 text(ImGui::GetCursorScreenPos().x,
+                      ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
+    const bool clicked = ImGui::Selectable((name + "##name").c_str(), state.selected(row.node),
+                                           ImGuiSelectableFlags_AllowItemOverlap, {0, size});
+    if (name != whole && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", whole.c_str());
+    }
+    if (clicked && row.node != kNone) {
+        std::vector<std::uint32_t> chosen =
+            ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
+        std::erase(chosen, row.node);
+        chosen.push_back(row.node);
+        state.reveal = row.node;
+        state.select(std::move(chosen));
+    }
+    if (off) {
+        ImGui::PopStyleColor();
+        const float y = text.y + ImGui::GetTextLineHeight() / 2;
+        ImGui::GetWindowDrawList()->AddLine({text.x, y}, {text.x + ImGui::CalcTextSize(name.c_str()).x, y},
+                                            colour::faint);
+    }
+}
+
+// Strength, colour and range. What a sun has not is left empty.
+void light_cells(EditorState& state, const LightRow& row) {
+    const bool directional = row.type == LightType::directional;
+    ImGui::TableNextColumn();
+    if (!directional) {
+        cell(state, row, "intensity", row.candela, "light.intensity", "", 4);
+    }
+    ImGui::TableNextColumn();
+    if (!directional) {
+        cell(state, row, "flux", row.lumen, "light.intensity", "lm", 4);
+    }
+    ImGui::TableNextColumn();
+    cell(state, row, "lux", row.lux, "light.intensity", "lx", 4);
+    ImGui::TableNextColumn();
+    cell(state, row, "temperature", row.kelvin.kelvin, "light.colour", "K", 4);
+    ImGui::TableNextColumn();
+    if (!directional) {
+        cell(state, row, "range", row.range, "light.range", "", 3);
+    }
 }
 
 // What it costs in a frame of this view, and what it gives of all light that falls on what is seen.
@@ -183,73 +260,9 @@ void draw_lights_table(EditorState& state) {
     for (const LightRow& row : state.lights) {
         ImGui::TableNextRow();
         ImGui::PushID(id++);
-        ImGui::TableNextColumn();
-        const auto flip = [&](std::set<std::uint32_t>& set) {
-            if (!set.erase(row.node)) {
-                set.insert(row.node);
-            }
-            state.pace.changed(0, false);
-        };
-        if (toggle("S", state.solo.contains(row.node), colour::chosen, size)) {
-            flip(state.solo);
-        }
-        ImGui::SameLine(0, 0);
-        if (toggle("M", state.muted.contains(row.node), colour::bad, size)) {
-            flip(state.muted);
-        }
-        ImGui::TableNextColumn();
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const vec3 c = row.colour;
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {at.x, at.y + 3}, {at.x + 10 * state.unit, at.y + size - 3},
-            ImGui::ColorConvertFloat4ToU32({std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z), 1}));
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 14 * state.unit);
-        const bool off = state.muted.contains(row.node) || !row.shown ||
-                         (!state.solo.empty() && !state.solo.contains(row.node));
-        if (off) {
-            ImGui::PushStyleColor(ImGuiCol_Text, colour::faint);
-        }
-        const std::string whole = row.node == kNone ? row.name + " (guest)" : row.name;
-        const std::string name = elided(whole, ImGui::GetContentRegionAvail().x, text_width);
-        ImGui::AlignTextToFramePadding();
-        const ImVec2 text(ImGui::GetCursorScreenPos().x,
-                          ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
-        const bool clicked = ImGui::Selectable((name + "##name").c_str(), state.selected(row.node),
-                                               ImGuiSelectableFlags_AllowItemOverlap, {0, size});
-        if (name != whole && ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", whole.c_str());
-        }
-        if (clicked && row.node != kNone) {
-            std::vector<std::uint32_t> chosen =
-                ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
-            std::erase(chosen, row.node);
-            chosen.push_back(row.node);
-            state.reveal = row.node;
-            state.select(std::move(chosen));
-        }
-        if (off) {
-            ImGui::PopStyleColor();
-            const float y = text.y + ImGui::GetTextLineHeight() / 2;
-            ImGui::GetWindowDrawList()->AddLine(
-                {text.x, y}, {text.x + ImGui::CalcTextSize(name.c_str()).x, y}, colour::faint);
-        }
-        const bool directional = row.type == LightType::directional;
-        ImGui::TableNextColumn();
-        if (!directional) {
-            cell(state, row, "intensity", row.candela, "cd", "light.intensity", "", 4);
-        }
-        ImGui::TableNextColumn();
-        if (!directional) {
-            cell(state, row, "flux", row.lumen, "lm", "light.intensity", "lm", 4);
-        }
-        ImGui::TableNextColumn();
-        cell(state, row, "lux", row.lux, "lx", "light.intensity", "lx", 4);
-        ImGui::TableNextColumn();
-        cell(state, row, "temperature", row.kelvin.kelvin, "K", "light.colour", "K", 4);
-        ImGui::TableNextColumn();
-        if (!directional) {
-            cell(state, row, "range", row.range, "m", "light.range", "", 3);
-        }
+        solo_and_mute(state, row, size);
+        name_cell(state, row, size);
+        light_cells(state, row);
         gain_cells(state, row);
         ImGui::TableNextColumn();
         constexpr const char* kKinds[] = {"sun", "point", "spot"};

@@ -33,8 +33,10 @@ void draw_beside(EditorState& state);
 // What was changed in play.
 void draw_played(EditorState& state);
 
+// The tabs of the drawer and, where it is open, the panel of one of them.
+void draw_drawer(EditorState& state);
 void draw_toolbar(EditorState& state);
-void draw_status(EditorState& state, double now);
+void draw_status(EditorState& state);
 // What lies over the panels: start, open, save, keys.
 void draw_sheet(EditorState& state);
 

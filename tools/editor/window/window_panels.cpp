@@ -1,8 +1,6 @@
 // The panels of the window: where they lie and how they are drawn.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "tools/editor/window/panels.h"
@@ -10,202 +8,137 @@
 
 namespace lanthorn::edit_window {
 
+namespace {
+
+enum class Padding { usual, low };  // low: of bars, which do not scroll
+
+// A window of ImGui that fills its box, where it has one. Its ground is painted by paint_panels().
+template <class Fill>
+void panel(const char* name, const Box& box, float unit, Padding padding, const Fill& fill) {
+    if (box.empty()) {
+        return;
+    }
+    const bool low = padding == Padding::low;
+    ImGui::SetNextWindowPos({box.x, box.y});
+    ImGui::SetNextWindowSize({box.width, box.height});
+    if (low) {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6 * unit, 2 * unit));
+    }
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground |
+                     (low ? ImGuiWindowFlags_NoScrollWithMouse : 0));
+    if (low) {
+        ImGui::PopStyleVar();
+    }
+    fill();
+    ImGui::End();
+}
+
+template <class Fill>
+void child(const char* name, const Fill& fill) {
+    ImGui::BeginChild(name);
+    fill();
+    ImGui::EndChild();
+}
+
+template <class Fill>
+void tab(const char* name, const Fill& fill) {
+    if (ImGui::BeginTabItem(name)) {
+        fill();
+        ImGui::EndTabItem();
+    }
+}
+
+// Scene, inspector and history in one panel.
+void draw_side(EditorState& e) {
+    if (ImGui::BeginTabBar("tabs")) {
+        tab("Scene", [&] { draw_tree(e); });
+        tab("Inspector", [&] { child("inspector", [&] { draw_inspector(e); }); });
+        tab("History", [&] { child("history", [&] { draw_history(e); }); });
+        ImGui::EndTabBar();
+    }
+}
+
+// Which way a splitter is dragged, and what it sets: the size of the panel before it or behind it.
+struct Splitter {
+    const char* name;
+    const Box& box;
+    bool upright;
+    float& size;  // units
+    float sign;   // of a way right or down
+    float usual;
+};
+
+void draw_splitter(const Splitter& splitter, EditorState& e, double now) {
+    const Box& box = splitter.box;
+    if (box.empty()) {
+        return;
+    }
+    ImGui::SetNextWindowPos({box.x, box.y});
+    ImGui::SetNextWindowSize({box.width, box.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::bar);
+    ImGui::Begin(splitter.name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::InvisibleButton("grip", {box.width, box.height});
+    const bool held = ImGui::IsItemActive(), under = ImGui::IsItemHovered();
+    if (under || held) {
+        ImGui::SetMouseCursor(splitter.upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    }
+    if (under && ImGui::IsMouseDoubleClicked(0)) {
+        splitter.size = splitter.usual;
+        e.pace.changed(now, false);
+    } else if (held) {
+        const ImVec2 way = ImGui::GetIO().MouseDelta;
+        const float by = splitter.sign * (splitter.upright ? way.x : way.y) / e.unit;
+        if (by != 0) {
+            splitter.size += by;
+            e.pace.changed(now, true);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
 void EditorWindow::State::make_panels() {
     EditorState& e = *editor;
-    const float u = e.unit;
-    const auto panel = [&](const char* name, const Box& box, ImU32 ground, auto&& fill, bool padded = true) {
-        if (box.empty()) {
-            return;
-        }
-        ImGui::SetNextWindowPos({box.x, box.y});
-        ImGui::SetNextWindowSize({box.width, box.height});
-        grounds.emplace_back(box, ground);
-        if (!padded) {
-            ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6 * u, 2 * u));
-        }
-        ImGui::Begin(name, nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                         ImGuiWindowFlags_NoBackground | (padded ? 0 : ImGuiWindowFlags_NoScrollWithMouse));
-        if (!padded) {
-            ImGui::PopStyleVar();
-        }
-        fill();
-        ImGui::End();
-    };
-    const auto splitter = [&](const char* name, const Box& box, bool upright, float& size, float sign,
-                              float usual) {
-        if (box.empty()) {
-            return;
-        }
-        ImGui::SetNextWindowPos({box.x, box.y});
-        ImGui::SetNextWindowSize({box.width, box.height});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::bar);
-        ImGui::Begin(
-            name, nullptr,
-            ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-        ImGui::InvisibleButton("grip", {box.width, box.height});
-        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-            ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-        }
-        if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-            size = usual;
-            e.pace.changed(now(), false);
-        } else if (ImGui::IsItemActive()) {
-            const ImVec2 way = ImGui::GetIO().MouseDelta;
-            const float by = sign * (upright ? way.x : way.y) / u;
-            if (by != 0) {
-                size += by;
-                e.pace.changed(now(), true);
-            }
-        }
-        ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar(2);
-    };
-    const Splits usual;
+    const Layout& at = e.layout;
     grounds.clear();
-    panel("picture", e.layout.picture, colour::surround, [&] { viewport->draw(now()); });
-    panel(
-        "toolbar", e.layout.toolbar, colour::bar, [&] { draw_toolbar(e); }, false);
-    if (e.layout.narrow) {
-        panel("side", e.layout.right, colour::panel, [&] {
-            if (ImGui::BeginTabBar("tabs")) {
-                if (ImGui::BeginTabItem("Scene")) {
-                    draw_tree(e);
-                    ImGui::EndTabItem();
-                }
-                if (ImGui::BeginTabItem("Inspector")) {
-                    ImGui::BeginChild("inspector");
-                    draw_inspector(e);
-                    ImGui::EndChild();
-                    ImGui::EndTabItem();
-                }
-                if (ImGui::BeginTabItem("History")) {
-                    ImGui::BeginChild("history");
-                    draw_history(e);
-                    ImGui::EndChild();
-                    ImGui::EndTabItem();
-                }
-                ImGui::EndTabBar();
-            }
-        });
+    const auto made = [&](const char* name, const Box& box, ImU32 ground, Padding padding, const auto& fill) {
+        if (!box.empty()) {
+            grounds.emplace_back(box, ground);
+        }
+        panel(name, box, e.unit, padding, fill);
+    };
+    made("picture", at.picture, colour::surround, Padding::usual, [&] { viewport->draw(now()); });
+    made("toolbar", at.toolbar, colour::bar, Padding::low, [&] { draw_toolbar(e); });
+    if (at.narrow) {
+        made("side", at.right, colour::panel, Padding::usual, [&] { draw_side(e); });
     } else {
-        panel("tree", e.layout.left, colour::panel, [&] { draw_tree(e); });
-        panel("history", e.layout.history, colour::panel, [&] {
+        made("tree", at.left, colour::panel, Padding::usual, [&] { draw_tree(e); });
+        made("history", at.history, colour::panel, Padding::usual, [&] {
             ImGui::TextDisabled("History");
-            ImGui::BeginChild("rows");
-            draw_history(e);
-            ImGui::EndChild();
+            child("rows", [&] { draw_history(e); });
         });
-        panel("inspector", e.layout.right, colour::panel, [&] {
-            ImGui::BeginChild("rows");
-            draw_inspector(e);
-            ImGui::EndChild();
-        });
+        made("inspector", at.right, colour::panel, Padding::usual,
+             [&] { child("rows", [&] { draw_inspector(e); }); });
     }
-    panel(
-        "drawer", e.layout.drawer, colour::panel,
-        [&] {
-            const bool was_open = e.splits.drawer_open;
-            // Tabs of buttons: ImGui's would take the room of a closed drawer.
-            std::string names[] = {fmt::format("Lights {}", e.lights.size()),
-                                   fmt::format("Warnings {}", e.warnings.size()),
-                                   "Why",
-                                   e.wishes.rows.empty() ? std::string("Wishes")
-                                                         : fmt::format("Wishes {}", e.wishes.rows.size()),
-                                   "Timeline",
-                                   "Solvable",
-                                   "Settings",
-                                   fmt::format("Played {}", e.played.size()),
-                                   fmt::format("Beside {}", e.beside.rows.size())};
-            const auto shown = [&](int tab) {
-                return (tab != kSolveTab || e.can_solve) && (tab != kPlayedTab || !e.played.empty()) &&
-                       (tab != kBesideTab || !e.beside.empty());
-            };
-            float wide = 0;
-            for (int i = kLightsTab; i <= kBesideTab; ++i) {
-                wide += shown(i) ? ImGui::CalcTextSize(names[i].c_str()).x +
-                                       2 * ImGui::GetStyle().FramePadding.x + 2 * u
-                                 : 0;
-            }
-            if (wide > ImGui::GetContentRegionAvail().x) {  // large text: words alone, and short ones
-                constexpr const char* kShort[] = {"Lights", "Warn", "Why",    "Wish",  "Time",
-                                                  "Solve",  "Set",  "Played", "Beside"};
-                std::ranges::copy(kShort, names);
-            }
-            const auto choose = [&](int tab) {
-                e.splits.drawer_open = !(was_open && e.drawer_tab == tab);
-                e.drawer_tab = tab;
-            };
-            const float edge = ImGui::GetWindowContentRegionMax().x,
-                        padding = 2 * ImGui::GetStyle().FramePadding.x;
-            const float dots = ImGui::CalcTextSize("...").x + padding;
-            std::vector<int> more;  // for which there is no room
-            for (int i = kLightsTab; i <= kBesideTab; ++i) {
-                if (!shown(i)) {
-                    continue;
-                }
-                const float after =
-                    ImGui::GetCursorPosX() + ImGui::CalcTextSize(names[i].c_str()).x + padding;
-                bool last = true;
-                for (int later = i + 1; later <= kBesideTab; ++later) {
-                    last = last && !shown(later);
-                }
-                if (!more.empty() || after + (last ? 0 : dots + 2 * u) > edge) {
-                    more.push_back(i);
-                    continue;
-                }
-                const bool on = was_open && e.drawer_tab == i;
-                ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
-                if (ImGui::Button(names[i].c_str())) {
-                    choose(i);
-                }
-                ImGui::PopStyleColor();
-                ImGui::SameLine(0, 2 * u);
-            }
-            if (!more.empty()) {
-                const bool on = was_open && std::ranges::find(more, e.drawer_tab) != more.end();
-                ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
-                if (ImGui::Button("...")) {
-                    ImGui::OpenPopup("more tabs");
-                }
-                ImGui::PopStyleColor();
-                if (ImGui::BeginPopup("more tabs")) {
-                    for (const int tab : more) {
-                        if (ImGui::MenuItem(names[tab].c_str(), nullptr, was_open && e.drawer_tab == tab)) {
-                            choose(tab);
-                        }
-                    }
-                    ImGui::EndPopup();
-                }
-                ImGui::SameLine(0, 2 * u);
-            }
-            ImGui::NewLine();
-            if (!was_open) {
-                return;
-            }
-            ImGui::BeginChild("rows");
-            e.drawer_tab == kLightsTab     ? draw_lights_table(e)
-            : e.drawer_tab == kWarningsTab ? draw_warnings(e)
-            : e.drawer_tab == kWhyTab      ? draw_why(e)
-            : e.drawer_tab == kWishesTab   ? draw_wishes(e)
-            : e.drawer_tab == kTimelineTab ? draw_timeline(e)
-            : e.drawer_tab == kSolveTab    ? draw_solving(e)
-            : e.drawer_tab == kPlayedTab   ? draw_played(e)
-            : e.drawer_tab == kBesideTab   ? draw_beside(e)
-                                           : draw_settings(e);
-            ImGui::EndChild();
-        },
-        false);
-    panel(
-        "status", e.layout.status, colour::bar, [&] { draw_status(e, now()); }, false);
-    splitter("left splitter", e.layout.left_splitter, true, e.splits.left, 1, usual.left);
-    splitter("right splitter", e.layout.right_splitter, true, e.splits.right, -1, usual.right);
-    splitter("drawer splitter", e.layout.drawer_splitter, false, e.splits.drawer, -1, usual.drawer);
-    splitter("history splitter", e.layout.history_splitter, false, e.splits.history, -1, usual.history);
+    made("drawer", at.drawer, colour::panel, Padding::low, [&] { draw_drawer(e); });
+    made("status", at.status, colour::bar, Padding::low, [&] { draw_status(e); });
+    const Splits usual;
+    Splits& to = e.splits;
+    for (const Splitter& splitter :
+         {Splitter{"left splitter", at.left_splitter, true, to.left, 1, usual.left},
+          Splitter{"right splitter", at.right_splitter, true, to.right, -1, usual.right},
+          Splitter{"drawer splitter", at.drawer_splitter, false, to.drawer, -1, usual.drawer},
+          Splitter{"history splitter", at.history_splitter, false, to.history, -1, usual.history}}) {
+        draw_splitter(splitter, e, now());
+    }
     draw_sheet(e);
 }
 

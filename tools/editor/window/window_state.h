@@ -75,9 +75,24 @@ struct EditorWindow::State {
     void act(Act act);
     bool act_on_scene(Act act);
     bool act_on_file(Act act);
-    bool act_on_view(Act act);
+    bool act_on_shown_view(Act act);
+    bool act_on_window(Act act);
     void leave_reference();
     void enter_reference();
+    void step_history(bool back);
+    std::vector<std::string> of_chosen(const char* command) const;
+    void run_and_choose(const char* name, std::vector<std::string> lines);  // what that makes
+    void group_chosen();
+    void show_all();
+    void step_back();  // out of what is going on: a drag, a sheet, a choice
+    void show_view(const std::string& name);
+    void show_debug_view(bool next);  // or the one of coverage
+    void compare_technique();
+    void play_clip();
+    void copy_render_line();
+    void ask_why_there();  // where the mouse points
+    void lock_exposure();
+    void scale_text(Act what);
     // window_input.cpp
     void take_events();
     void take_key(const Happening& happening);
