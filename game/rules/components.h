@@ -113,7 +113,7 @@ struct Crystal {
     double lux = 1;      // that are enough, through the sensor's filter
     double seconds = 1;  // of them that wake it; without them it falls back as fast
     Symbol symbol = Symbol::circle;
-    vec3 glow{0};       // nits, awake; 0: its surface does not glow
+    vec3 glow{0};       // nits, awake, of its first mesh; of others as much less as their colour is darker
     double charge = 0;  // 0 to 1: how much has come together
     bool awake = false;
     double glowing = 0;  // 0 to 1: how much of its glow shows

@@ -18,6 +18,11 @@ double shown(const Crystal& crystal) {
     return std::round(kSteps * crystal.glowing) / kSteps;
 }
 
+float brightest(const Material& material) {
+    const vec4& colour = material.base_colour;
+    return std::max({colour.r, colour.g, colour.b});
+}
+
 void shine(const Crystal& crystal, Commands& commands) {
     if (!crystal.lamp) {
         return;
@@ -64,10 +69,14 @@ void show_glow(ecs::World& world) {
             if (crystal.glow == vec3(0) || looks.meshes.empty()) {
                 return;
             }
-            const MaterialHandle material = store.material_of(looks.meshes.front());
-            const vec3 emissive = crystal.glow * static_cast<float>(shown(crystal));
-            if (store.get(material).emissive != emissive) {
-                store.edit_material(material, [&](Material& m) { m.emissive = emissive; });
+            const float first = brightest(store.get(store.material_of(looks.meshes.front())));
+            for (const MeshHandle mesh : looks.meshes) {
+                const MaterialHandle material = store.material_of(mesh);
+                const float share = first > 0 ? brightest(store.get(material)) / first : 1;
+                const vec3 emissive = crystal.glow * (share * static_cast<float>(shown(crystal)));
+                if (store.get(material).emissive != emissive) {
+                    store.edit_material(material, [&](Material& m) { m.emissive = emissive; });
+                }
             }
         });
 }

@@ -24,7 +24,7 @@ SceneData lamplighter_icon() {
     b.solid("left", left, red);
     b.solid("right", right, blue);
     b.solid("top", top, f.trim);
-    add_lantern(b, f, {0, 0, 0}, kLamplight, 18);
+    add_lantern(b, f.brass, {0, 0, 0}, kLamplight, 18);
     Shape fire;
     add_box(fire, {-0.014, 0.05, -0.014}, {0.014, 0.1, 0.014});
     b.solid("flame", fire, flame);

@@ -132,7 +132,7 @@ SceneData level_burning_glass() {
     const std::uint32_t silver = b.metal("silver", {0.93f, 0.92f, 0.9f}, 0.03f);
     add_turning_mirror(b, f, silver, "mirror", {kMirrorX, 0, kRow}, -95, 0.2);
     add_crystal(b, f, "topaz", kTopaz, {1, 0, 0}, {0.75f, 0.42f, 0.05f}, R"("filter":[0.3,0.7,0])",
-                R"("lux":25,"seconds":1.5,"symbol":"square","glow":[3,1.5,0.12])");
+                R"("lux":25,"seconds":1.5,"symbol":"square","glow":[15,7.5,0.6])");
     furniture(b, f);
     add_sconce(b, f, "sconce", {2.6, 2.0, kHalf.z}, {0, 0, -1}, 30);
     add_contract(b, "floor-is-lit", {0, 0.3, 0}, {7.4, 0.65, 5.8}, R"("lower":0.3,"share":0.7)");

@@ -72,19 +72,19 @@ SceneData level_green_screen() {
     screen(b, f);
     add_crystal(b, f, "green-crystal", {-kHalf.x, 1.3, -0.75}, {1, 0, 0}, {0.08f, 0.6f, 0.14f},
                 R"("filter":[-1.2,1,-0.8])",
-                R"("lux":0.2,"seconds":1.5,"symbol":"triangle","glow":[0.15,2,0.25])");
+                R"("lux":0.2,"seconds":1.5,"symbol":"triangle","glow":[0.8,11,1.6])");
     b.table("table", {-2.0, 0, -2.3}, 1.1, 0.65, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-2.1, 0, -1.55}));
     add_bookshelf(b, f, "shelf", {-0.1, 0, -2.86}, {1.0, 1.8, 0.35}, 4, 11);
     add_still_life(b, "still-life", {-2.25, 0.78, -2.35});
     add_carpet(b, "carpet", {-2.9, 0, -0.5}, {-0.9, 0.012, 0.9}, kBlueCarpet);
     b.camera("camera", looking({2.9, 1.8, 2.6}, {-1.4, 1.0, -0.7}), glm::radians(65.0f));
-    add_player(b, {-1.4, 0, 2.1}, {1.2, 1.2, -0.95});
+    add_player(b, {-1.3, 0, 0.1}, {-1.5, 1.35, -3});
     add_level(b, R"("title":"The green screen",
         "hints":["The lamp shines past all that is green.",
                  "The screen stands on a rail. Walk against its end.",
                  "Push the green screen into the beam: it lights the crystal across the room."],
-        "tour":[{"go":[-1.4,0,2.1],"look":[1.3,1.2,-1.2],"seconds":1},
+        "tour":[{"go":[-1.3,0,0.1],"look":[-1.5,1.35,-3],"seconds":1},
                 {"go":[-0.4,0,-1.9],"look":[1.3,1.1,-1.2],"seconds":3},
                 {"go":[1.3,0,-2.57],"look":[1.3,1.2,0.5],"seconds":2},
                 {"go":[1.3,0,-0.3],"look":[1.3,1.2,2.5],"seconds":4},

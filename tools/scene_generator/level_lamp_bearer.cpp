@@ -55,7 +55,7 @@ SceneData level_lamp_bearer() {
     const Finishes f = finishes(b, {0.42f, 0.39f, 0.35f});
     shell(b, f);
     add_crystal(b, f, "ruby", {-0.75, 1.3, kTip}, {0, 0, 1}, {0.75f, 0.08f, 0.06f}, R"("filter":[1,-2.7,0])",
-                R"("lux":0.3,"seconds":2,"symbol":"drop","glow":[3,0.16,0.1])");
+                R"("lux":0.3,"seconds":2,"symbol":"drop","glow":[16,0.7,0.9])");
     furniture(b, f);
     add_lamp_bearer(b, "bearer", {-0.25, 0, 0.05}, kLamplight, 260);
     add_contract(b, "hall-is-lit", {0, 0.9, 1.2}, {5.4, 1.8, 3.4}, R"("lower":1,"share":0.7)");

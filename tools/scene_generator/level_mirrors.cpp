@@ -72,7 +72,7 @@ void shrine(Builder& b, const Finishes& f) {
     add_box(frame, {kBlockX, 2.58, kBack - 1.0}, {kBlockX + 0.2, 2.64, kBack + 1.0});
     b.solid("shrine", frame, f.trim);
     add_crystal(b, f, "moonstone", {kBlockX, 1.25, kBack}, {1, 0, 0}, {0.45f, 0.6f, 0.8f},
-                R"("filter":[-0.9,-0.2,1])", R"("lux":1.2,"seconds":1.5,"symbol":"moon","glow":[1,1.7,3])");
+                R"("filter":[-0.9,-0.2,1])", R"("lux":1.2,"seconds":1.5,"symbol":"moon","glow":[5,8.5,15])");
 }
 
 void furniture(Builder& b, const Finishes& f) {
@@ -114,12 +114,12 @@ SceneData level_mirrors() {
     furniture(b, f);
     add_sconce(b, f, "sconce", {-2.1, 1.95, kBlockZ}, {0, 0, 1}, 30);
     b.camera("camera", looking({-1.6, 1.75, 2.5}, {2.1, 1.12, -0.35}), glm::radians(62.0f));
-    add_player(b, {-2.4, 0, 2.4}, {2.0, 1.3, 0.6});
+    add_player(b, {1.08, 0, 0.3}, {1.25, 1.25, -3});
     add_level(b, R"("title":"Two mirrors",
         "hints":["Moonlight goes straight on until it meets a mirror.",
                  "Mirrors turn as long as they are used. Stand beside the light's way, not in it.",
                  "Turn the first mirror until it lights the second, and that until the moonstone is lit."],
-        "tour":[{"go":[-2.4,0,2.4],"look":[2.3,1.4,1.2],"seconds":1},
+        "tour":[{"go":[1.08,0,0.3],"look":[1.25,1.25,-3],"seconds":1},
                 {"go":[1.0,0,0.55],"look":[2.3,1.2,1.6],"seconds":3.5},
                 {"go":[1.0,0,0.55],"look":[2.3,1.2,1.6],"seconds":3.49,"deed":"use","hold":true},
                 {"go":[1.0,0,-0.6],"look":[2.3,1.2,-1.75],"seconds":2},

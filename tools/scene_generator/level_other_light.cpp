@@ -84,7 +84,7 @@ SceneData level_other_light() {
     const std::uint32_t silver = b.metal("silver", {0.93f, 0.92f, 0.9f}, 0.03f);
     add_turning_mirror(b, f, silver, "mirror", kMirror, 30, 0.2);
     add_crystal(b, f, "pearl", kPearl, {-1, 0, 0}, {0.8f, 0.74f, 0.58f}, R"("filter":[0.3,0.7,0])",
-                R"("lux":12,"seconds":2,"symbol":"circle","glow":[2.4,2.1,1.4])");
+                R"("lux":12,"seconds":2,"symbol":"circle","glow":[12,10.5,7])");
     furniture(b, f);
     add_sconce(b, f, "sconce", {-0.4, 2.0, -kHalf.z}, {0, 0, 1}, 38);
     add_sconce(b, f, "sconce-south", {-2.4, 2.0, kHalf.z}, {0, 0, -1}, 38);

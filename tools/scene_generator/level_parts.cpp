@@ -56,7 +56,11 @@ void add_player(Builder& b, const dvec3& feet, const dvec3& at_point) {
     add_hero(b, node);
 }
 
-void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,
+std::uint32_t bronze(Builder& b) {
+    return b.matte("bronze", {0.08f, 0.05f, 0.025f}, 0.5f);
+}
+
+void add_lantern(Builder& b, std::uint32_t metal, const dvec3& foot, const vec3& colour, float candela,
                  const std::string& fields) {
     Shape cage;
     add_box(cage, {-0.08, 0, -0.08}, {0.08, 0.02, 0.08});
@@ -71,7 +75,7 @@ void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& c
         }
     }
     const std::uint32_t node =
-        b.solid("lantern", cage, f.brass,
+        b.solid("lantern", cage, metal,
                 R"({"lantern":{"handle":0.31)" + (fields.empty() ? "" : "," + fields) + "}}", at(foot));
     add_flame(b, "lantern-light", {0, 0.12, 0}, colour, candela, 0.1, node);
 }
@@ -93,19 +97,26 @@ void add_crystal(Builder& b, const Finishes& f, const std::string& name, const d
                            {{0, kThick}, {0, 1}}};
     b.solid(name + "-disc", lathe(plate, 32), f.trim, {}, lying, node);
 
-    const std::uint32_t gem = b.matte(name, colour, 0.6f);
-    b.scene.materials[gem].roughness = 0.6f;
-    Shape cluster;
-    add_spike(cluster, {0, 0, -0.01}, {0.05, 0.12, -1}, 0.06, 0.3);
-    add_spike(cluster, {0.06, 0.02, -0.01}, {0.65, 0.3, -1}, 0.042, 0.2);
-    add_spike(cluster, {-0.06, 0.03, -0.01}, {-0.6, 0.55, -1}, 0.045, 0.22);
-    add_spike(cluster, {-0.02, -0.06, -0.01}, {-0.2, -0.7, -1}, 0.045, 0.19);
-    add_spike(cluster, {0.05, -0.05, -0.01}, {0.6, -0.5, -1}, 0.035, 0.15);
+    // Those that stand behind are of a deeper colour, and glow as much less.
+    constexpr float kBehind = 0.45f;
+    const auto gem = [&](const std::string& of, float bright) {
+        const std::uint32_t material = b.matte(of, bright * colour, 0.6f);
+        b.scene.materials[material].roughness = 0.6f;
+        return material;
+    };
+    Shape before, behind;
+    add_spike(before, {0, 0, -0.01}, {0.05, 0.12, -1}, 0.06, 0.3);
+    add_spike(before, {-0.02, -0.06, -0.01}, {-0.2, -0.7, -1}, 0.045, 0.19);
+    add_spike(behind, {0.06, 0.02, -0.01}, {0.65, 0.3, -1}, 0.042, 0.2);
+    add_spike(behind, {-0.06, 0.03, -0.01}, {-0.6, 0.55, -1}, 0.045, 0.22);
+    add_spike(behind, {0.05, -0.05, -0.01}, {0.6, -0.5, -1}, 0.035, 0.15);
     Transform on_plate = facing;
     on_plate.translation = place + 0.021 * glm::normalize(towards);
     const std::uint32_t at_plate = b.solid(
-        name, cluster, gem,
+        name, before, gem(name, 1),
         R"({"light_sensor":{"radius":0.48,)" + sensor + R"(},"crystal":{)" + crystal + "}}", on_plate);
+    b.scene.nodes[at_plate].meshes.push_back(
+        b.mesh(name + "-behind", behind, gem(name + "-behind", kBehind)));
     Light light;
     light.type = LightType::point;
     light.colour = colour / std::max(colour.r, std::max(colour.g, colour.b));

@@ -14,9 +14,12 @@ inline constexpr double kLevelWall = 0.3;  // thickness of outer walls
 // Stands on `feet` and looks at `at`: her eyes, her body, and the camera that follows her.
 void add_player(Builder& b, const dvec3& feet, const dvec3& at);
 
-// A lantern of brass, glass panes left out, that stands on `foot`; `fields` of its component beside the
+// Dark: bright metal so near a flame is a small lamp of its own, which few rays find, and walls and ceiling
+// are blotched by those that do.
+std::uint32_t bronze(Builder& b);
+// A lantern of metal, glass panes left out, that stands on `foot`; `fields` of its component beside the
 // handle, as JSON.
-void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,
+void add_lantern(Builder& b, std::uint32_t metal, const dvec3& foot, const vec3& colour, float candela,
                  const std::string& fields = {});
 
 // Floor, ceiling and walls of a room that is 2 `half` wide inside, y from 0 to `half`.y. A wall of kNone is

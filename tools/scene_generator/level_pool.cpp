@@ -20,7 +20,7 @@ constexpr double kKerb = 0.25, kKerbHeight = 0.46, kLevel = 0.39;
 constexpr double kSeconds = 6;  // of the waves' loop
 constexpr Wave kWaves[] = {{0.0045, 5.1, 2.3, 3}, {0.0032, -3.9, 6.2, 4}, {0.0018, 8.6, -5.4, 6}};
 // Panes on rails along Z between lamp and pool.
-constexpr double kGreenRail = -2.45, kRedRail = -1.9, kTravel = 3.3, kStart = 1.65;
+constexpr double kGreenRail = -2.45, kRedRail = -1.9, kTravel = 2.9, kStart = 1.45;
 
 void shell(Builder& b, const Finishes& f) {
     const double t = kLevelWall;
@@ -136,10 +136,10 @@ SceneData level_pool() {
     pane(b, f, "red-pane", kRedRail, kStart, -kTravel, {0.85f, 0.06f, 0.04f});
     add_crystal(b, f, "emerald", {kHalf.x, 1.5, -0.62}, {-1, 0, 0}, {0.08f, 0.6f, 0.14f},
                 R"("filter":[-1.2,1,-0.8])",
-                R"("lux":1.2,"seconds":1.5,"symbol":"triangle","glow":[0.15,2,0.25])");
+                R"("lux":1.2,"seconds":1.5,"symbol":"triangle","glow":[0.8,11,1.6])");
     add_crystal(b, f, "ruby", {kHalf.x, 1.5, 0.62}, {-1, 0, 0}, {0.75f, 0.08f, 0.06f},
                 R"("filter":[1,-1.2,-0.8])",
-                R"("lux":1.2,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");
+                R"("lux":1.2,"seconds":1.5,"symbol":"drop","glow":[16,0.7,0.9])");
     for (const double z : {-2.0, 2.0}) {
         add_sconce(b, f, z < 0 ? "sconce-north" : "sconce-south", {-kHalf.x, 2.0, z}, {1, 0, 0}, 45);
     }
@@ -150,14 +150,17 @@ SceneData level_pool() {
     b.solid("bench", box({0.2, 0.4, 2.45}, {2.0, 0.46, 2.85}), f.oak, kBoxCollider);
     b.solid("bench-legs",
             whole({{"a", {0.3, 0, 2.5}, {0.38, 0.4, 2.8}}, {"b", {1.82, 0, 2.5}, {1.9, 0.4, 2.8}}}), f.oak);
-    b.camera("camera", looking({-1.5, 1.75, 2.65}, {2.3, 0.95, -0.75}), glm::radians(64.0f));
-    add_player(b, {-3, 0, 2.4}, {3.2, 1.2, -0.4});
+    b.camera("camera", looking({-0.4, 1.75, 2.62}, {2.6, 0.95, -0.9}), glm::radians(64.0f));
+    add_player(b, {-1.03, 0, 2.43}, {3.0, 1.2, 1.2});
     add_level(b, R"("title":"The pool",
         "hints":["The lamp does not shine on the crystals. Its light still gets there.",
                  "Water is a mirror for light that comes in low; glass colours what goes through it.",
                  "Push one pane into the beam at a time. When its crystal is awake, push it out again."],
-        "tour":[{"go":[-3,0,2.4],"look":[3.2,1.2,-0.2],"seconds":1.5},
-                {"go":[-3.1,0,-2.3],"look":[-2.4,1.2,-1.6],"seconds":4},
+        "tour":[{"go":[-1.03,0,2.43],"look":[3.0,1.2,1.2],"seconds":1.5},
+                {"go":[-2.75,0,2.45],"look":[-2.4,1.2,-1.4],"seconds":1.8},
+                {"go":[-2.75,0,-0.3],"look":[-2.4,1.2,-1.4],"seconds":2.3},
+                {"go":[-3.15,0,-1.1],"look":[-2.4,1.2,-1.4],"seconds":1},
+                {"go":[-3.1,0,-2.3],"look":[-2.4,1.2,-1.4],"seconds":1.3},
                 {"go":[-2.45,0,-2.65],"look":[-2.4,1.2,0],"seconds":1.5},
                 {"go":[-2.45,0,-0.74],"look":[-2.4,1.2,1],"seconds":2.6},
                 {"go":[-2.45,0,-0.74],"look":[3.6,1.4,-0.4],"seconds":3.5},

@@ -30,7 +30,7 @@ void screen_wall(Builder& b, const Finishes& f) {
     add_pier(b, f, "pier-south", {0.95, 0, 1.58}, 0.26, kHalf.y - 0.24);
     add_crystal(b, f, "red-crystal", {1.15, 1.25, 0}, {1, 0, 0}, {0.75f, 0.08f, 0.06f},
                 R"("filter":[1,-1.2,-0.8])",
-                R"("lux":0.5,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");
+                R"("lux":0.5,"seconds":1.5,"symbol":"drop","glow":[16,0.7,0.9])");
 }
 
 // Two wings of violet in the northern passage.
@@ -44,7 +44,7 @@ void curtain(Builder& b, const Finishes& f) {
 }
 
 void furniture(Builder& b, const Finishes& f) {
-    b.table("table", {-1.9, 0, 1.9}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
+    b.table("table", {-0.9, 0, 1.9}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("bench", box({-2.5, 0.4, -2.5}, {-0.6, 0.46, -2.1}), f.oak, kBoxCollider);
     b.solid("bench-legs", box({-2.4, 0, -2.45}, {-2.3, 0.4, -2.15}), f.oak);
     b.solid("bench-legs-2", box({-0.8, 0, -2.45}, {-0.7, 0.4, -2.15}), f.oak);
@@ -62,17 +62,18 @@ SceneData level_red_wall() {
     screen_wall(b, f);
     curtain(b, f);
     furniture(b, f);
-    add_lantern(b, f, {-1.75, 0.78, 1.85}, kLamplight, 80);
-    b.camera("camera", looking({-3.3, 1.8, 2.5}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
-    add_player(b, {-2.7, 0, 0.9}, {-0.2, 1.3, 0.9});
+    add_lantern(b, bronze(b), {-0.45, 0.78, 1.75}, kLamplight, 80);
+    b.camera("camera", looking({0.55, 1.45, 2.0}, {-1.32, 1.2, 1.3}), glm::radians(56.0f));
+    add_player(b, {-0.95, 0, 1.1}, {3.4, 1.3, 1.0});
     add_level(b, R"("title":"The red wall",
         "hints":["The crystal sleeps behind the stones. It wants red light.",
                  "A red wall makes red light of any light.",
                  "Carry the lantern round, and hold it where it lights the red wall but not the crystal."],
-        "tour":[{"go":[-2.7,0,0.9],"look":[0.5,1.2,0.2],"seconds":1},
-                {"go":[-1.9,0,1.05],"look":[-1.75,0.9,1.85],"seconds":2,"deed":"carry"},
-                {"go":[-0.6,0,1.3],"look":[1.5,1.1,2.3],"seconds":2},
-                {"go":[0.5,0,2.3],"look":[3.6,1.1,1.6],"seconds":4.5,"deed":"carry"},
+        "tour":[{"go":[-0.95,0,1.1],"look":[3.4,1.3,1.0],"seconds":1.5},
+                {"go":[-0.8,0,1.05],"look":[-0.45,0.9,1.75],"seconds":1.5,"deed":"carry"},
+                {"go":[0.2,0,1.1],"look":[1.5,1.1,2.3],"seconds":2},
+                {"go":[0.2,0,2.3],"look":[3.6,1.1,1.6],"seconds":2.5},
+                {"go":[0.5,0,2.3],"look":[3.6,1.1,1.6],"seconds":2,"deed":"carry"},
                 {"go":[2.6,0,2.2],"look":[3,1.3,0.5],"seconds":2},
                 {"go":[2.9,0,1.6],"look":[1.2,1.2,0],"seconds":2.5},
                 {"go":[2.2,0,-2.3],"look":[0.95,1.2,-2.3],"seconds":3.5},

@@ -42,20 +42,20 @@ SceneData level_shutter() {
     shutter(b, f);
     add_crystal(b, f, "sapphire", {-kHalf.x, 1.45, -1.75}, {1, 0, 0}, {0.08f, 0.16f, 0.75f},
                 R"("filter":[-1.5,-0.8,1])",
-                R"("lux":0.14,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
+                R"("lux":0.14,"seconds":1.5,"symbol":"star","glow":[0.9,2.4,18])");
     b.table("table", {0.3, 0, 1.3}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-0.75, 0, 1.75}));
     add_bookshelf(b, f, "shelf", {-0.6, 0, -2.76}, {1.2, 2.0, 0.35}, 5, 12);
     add_carpet(b, "carpet", {-2.4, 0, -1.5}, {-0.4, 0.012, 0.3}, kRedCarpet);
-    add_lantern(b, f, {0.35, 0.78, 1.2}, kLamplight, 40);
+    add_lantern(b, bronze(b), {0.35, 0.78, 1.2}, kLamplight, 40);
     add_follower(b, "puppet", {2.3, 0, -0.9});
     b.camera("camera", looking({2.6, 1.8, 2.1}, {-2.4, 1.2, -0.6}), glm::radians(66.0f));
-    add_player(b, {1.7, 0, 0.6}, {-3.2, 1.3, -0.4});
+    add_player(b, {0.7, 0, 0.58}, {-3.2, 1.35, 0.95});
     add_level(b, R"("title":"The shutter",
         "hints":["The moon is out there, and it is blue enough for a blue wall.",
                  "Open the shutter. Then see what light is in the way.",
                  "Put the lantern out: its warm light keeps the sapphire asleep."],
-        "tour":[{"go":[1.7,0,0.6],"look":[-3.2,1.4,-0.6],"seconds":1},
+        "tour":[{"go":[0.7,0,0.58],"look":[-3.2,1.35,0.95],"seconds":1},
                 {"go":[-1.7,0,0.1],"look":[-3.2,1.6,0],"seconds":2.8,"deed":"use"},
                 {"go":[-1.4,0,-0.4],"look":[3.2,1.3,-0.5],"seconds":2.2},
                 {"go":[-0.4,0,0.5],"look":[0.35,0.8,1.2],"seconds":1.5,"deed":"light"},

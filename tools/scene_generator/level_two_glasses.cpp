@@ -34,11 +34,11 @@ void crystals(Builder& b, const Finishes& f) {
     add_pier(b, f, "pier-west", {-1.7, 0, -1.5}, 0.24, kPier);
     add_crystal(b, f, "ruby", {-1.7, kPier, -1.5}, {0, 1, 0}, {0.75f, 0.08f, 0.06f},
                 R"("filter":[1,-1.2,-0.8])",
-                R"("lux":1.5,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");
+                R"("lux":1.1,"seconds":1.5,"symbol":"drop","glow":[16,0.7,0.9])");
     add_pier(b, f, "pier-east", {1.2, 0, -1.9}, 0.24, kPier);
     add_crystal(b, f, "sapphire", {1.2, kPier, -1.9}, {0, 1, 0}, {0.08f, 0.16f, 0.75f},
                 R"("filter":[-0.3,-0.8,1])",
-                R"("lux":0.25,"seconds":1.5,"symbol":"star","glow":[0.12,0.3,3.5])");
+                R"("lux":0.25,"seconds":1.5,"symbol":"star","glow":[0.9,2.4,18])");
 }
 
 }  // namespace level_two_glasses_parts
@@ -49,27 +49,31 @@ SceneData level_two_glasses() {
     const Finishes f = finishes(b);
     shell(b, f);
     crystals(b, f);
-    b.table("table", {-0.4, 0, 1.3}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
-    b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({0.75, 0, 1.35}));
+    b.table("table", {1.25, 0, 0.05}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
+    b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({1.6, 0, 0.75}));
     add_bookshelf(b, f, "shelf", {-2.2, 0, -2.92}, {1.4, 2.0, 0.35}, 5, 13);
     add_carpet(b, "carpet", {-1.2, 0, -0.9}, {1.2, 0.012, 0.6}, kBlueCarpet);
-    add_lantern(b, f, {-0.3, 0.78, 1.2}, {1, 0.85f, 0.7f}, 150,
+    add_lantern(b, bronze(b), {0.8, 0.78, 0.1}, {1, 0.85f, 0.7f}, 150,
                 R"("brightness":2,"slides":[[1,0.06,0.04],[0.02,0.06,1]])");
     b.camera("camera", looking({-0.2, 1.7, 2.8}, {-0.2, 1.6, -1.0}), glm::radians(68.0f));
-    add_player(b, {-1.2, 0, 2.3}, {-0.1, 1.6, -1.6});
+    add_player(b, {-0.35, 0, 0.35}, {-0.25, 1.55, -1.7});
     add_level(b, R"("title":"Two glasses",
         "hints":["These crystals lie too high for the lantern. The ceiling is white.",
                  "The lantern has a red glass and a blue one.",
                  "Stand well back from a pier, turn the lantern up, and put in the glass of the crystal's colour."],
-        "tour":[{"go":[-1.2,0,2.3],"look":[-0.1,1.8,-1.6],"seconds":1},
-                {"go":[-1.3,0,1.6],"look":[-0.3,0.9,1.2],"seconds":1.5,"deed":"carry"},
-                {"go":[-1.2,0,0.9],"look":[-1.7,2.2,-1.5],"seconds":1,"deed":"brighter"},
+        "tour":[{"go":[-0.35,0,0.35],"look":[-0.25,1.7,-1.7],"seconds":1.5},
+                {"go":[0.05,0,0.6],"look":[0.8,0.9,0.1],"seconds":1.5,"deed":"carry"},
+                {"go":[-0.6,0,0.7],"look":[-1.7,2.2,-1.5],"seconds":1,"deed":"brighter"},
                 {"go":[-1.0,0,0.5],"look":[-1.7,2.2,-1.5],"seconds":0.5,"deed":"brighter"},
                 {"go":[-1.0,0,0.5],"look":[-1.7,2.2,-1.5],"seconds":0.5,"deed":"colour"},
                 {"go":[-1.0,0,0.5],"look":[-1.2,2.2,-1.5],"seconds":3.5},
                 {"go":[0,0,1.6],"look":[1.2,2.2,-1.9],"seconds":1.5,"deed":"colour"},
-                {"go":[0,0,1.8],"look":[0.6,2.2,-1.9],"seconds":4},
-                {"go":[-0.2,0,2.3],"look":[-0.2,2.0,-1.7],"seconds":2.5}])");
+                {"go":[0,0,1.8],"look":[0.6,2.2,-1.9],"seconds":4,"deed":"colour"},
+                {"go":[0.25,0,0.6],"look":[0.8,1.2,-0.6],"seconds":0.7,"deed":"darker"},
+                {"go":[0.25,0,0.05],"look":[2,0.9,0.05],"seconds":0.6,"deed":"darker"},
+                {"go":[0.27,0,0.02],"look":[2,0.9,0.02],"seconds":0.6,"deed":"darker"},
+                {"go":[0.27,0,0.02],"look":[2,0.9,0.02],"seconds":0.4,"deed":"carry"},
+                {"go":[-0.35,0,0.4],"look":[-0.25,1.75,-1.7],"seconds":3.4}])");
     return b.scene;
 }
 

@@ -59,6 +59,8 @@ scene_generator::Builder level_with_crystal() {
         "crystal", box(dvec3(-0.1), dvec3(0.1)), level.matte("crystal", vec3(0.5f)),
         R"({"light_sensor":{"filter":[1,-1,-1]},"crystal":{"lux":2,"seconds":0.5,"glow":[80,8,4]}})",
         scene_generator::at({4, 1, 2}));
+    level.scene.nodes[crystal].meshes.push_back(
+        level.mesh("behind", box({0.1, -0.1, -0.1}, {0.2, 0.1, 0.1}), level.matte("dark", vec3(0.125f))));
     Light inner;
     inner.intensity = 20;
     level.light("crystal-lamp", scene_generator::at({0, 0, 0}), inner, crystal);
@@ -73,9 +75,9 @@ class CrystalTest : public testing::Test {
         game.steps(steps);
     }
     const Crystal& crystal() { return game.of<Crystal>("crystal"); }
-    vec3 emissive() {
+    vec3 emissive(std::size_t mesh = 0) {
         const AssetStore& store = asset_store(game.world());
-        return store.get(store.material_of(game.of<MeshInstances>("crystal").meshes.front())).emissive;
+        return store.get(store.material_of(game.of<MeshInstances>("crystal").meshes.at(mesh))).emissive;
     }
     bool has_lamp() { return game.world().has<LightComponent>(game.named("crystal-lamp")); }
 
@@ -95,6 +97,7 @@ TEST_F(CrystalTest, WakesOnceEnoughHasComeTogether) {
     EXPECT_TRUE(crystal().awake);
     EXPECT_EQ(crystal().glowing, 1);
     EXPECT_EQ(emissive(), vec3(80, 8, 4));
+    EXPECT_EQ(emissive(1), vec3(20, 2, 1));  // a quarter as bright as the first
     ASSERT_TRUE(has_lamp());
     EXPECT_EQ(game.of<LightComponent>("crystal-lamp").light.intensity, 20);
 }
