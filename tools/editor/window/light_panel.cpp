@@ -21,6 +21,7 @@ namespace {
 std::vector<std::string> each(const EditorState& state, const std::vector<std::uint32_t>& nodes,
                               std::string_view field, const std::string& value) {
     std::vector<std::string> lines;
+    lines.reserve(nodes.size());
     for (const std::uint32_t node : nodes) {
         lines.push_back(set_line(state.session.path_of(node), field, value));
     }

@@ -11,6 +11,7 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/workbench/load_scene.h"
+#include "tools/lanthorn/farm/farm_options.h"
 
 namespace lanthorn::tools {
 
