@@ -131,6 +131,23 @@ struct Followed {
     }
 };
 
+struct Shown {
+    const EnvironmentMaps& maps;
+    render::LightInputs inputs;
+};
+
+// A frame of it; what `movers` sweep is of that frame.
+Shown show(Bench& bench, const Moment& now, SweptBoxes& movers) {
+    bench.settings = now.settings;
+    bench.show(now.scene, kSize);
+    const EnvironmentMaps& maps = dynamic_cast<const EmcTechnique&>(bench.technique()).maps();
+    const Renderer& renderer = bench.app.world().resource<Renderer>();
+    const render::LightInputs inputs = renderer.frame->light_inputs(now.scene, *renderer.timer);
+    inputs.gpu_scene.bind_materials();
+    movers.follow(now.scene, maps.extent(now.scene));
+    return {maps, inputs};
+}
+
 // Places on the list that are lit, in order.
 std::vector<std::uint32_t> lit_places(const LitLists& lists, const std::vector<vec4>& points) {
     std::vector<std::uint32_t> places = lists.lit().read();
@@ -186,13 +203,7 @@ TEST(LitLists, WhatFollowsIsWhatIsMadeFromNothing) {
                 hold_still(now.scene);
             }
             step.change(now, n);
-            bench.settings = now.settings;
-            bench.show(now.scene, kSize);
-            const EnvironmentMaps& maps = dynamic_cast<const EmcTechnique&>(bench.technique()).maps();
-            const Renderer& renderer = bench.app.world().resource<Renderer>();
-            const render::LightInputs inputs = renderer.frame->light_inputs(now.scene, *renderer.timer);
-            inputs.gpu_scene.bind_materials();
-            movers.follow(now.scene, maps.extent(now.scene));
+            const auto [maps, inputs] = show(bench, now, movers);
             const bool other = texels.resize(maps, now.settings);
             const bool all = std::exchange(version, maps.version()) != maps.version() || other;
             if (other) {
@@ -250,13 +261,7 @@ TEST(LitLists, AnExchangeOfOneMapIsLookedAtWhereItIsSeen) {
         }
         const float turn = 0.16f * static_cast<float>(n);
         put_block(now, vec3(std::sin(turn), 0, 0.6f * std::cos(turn)));
-        bench.settings = now.settings;
-        bench.show(now.scene, kSize);
-        const EnvironmentMaps& maps = dynamic_cast<const EmcTechnique&>(bench.technique()).maps();
-        const Renderer& renderer = bench.app.world().resource<Renderer>();
-        const render::LightInputs inputs = renderer.frame->light_inputs(now.scene, *renderer.timer);
-        inputs.gpu_scene.bind_materials();
-        movers.follow(now.scene, maps.extent(now.scene));
+        const auto [maps, inputs] = show(bench, now, movers);
         const std::uint64_t before = std::exchange(version, maps.version());
         const std::optional<ivec2> exchanged = maps.exchanged_since(before);
         exchanges += exchanged.has_value() ? 1 : 0;
