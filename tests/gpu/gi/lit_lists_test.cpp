@@ -118,6 +118,20 @@ std::vector<Step> steps() {
     };
 }
 
+Moment with_three_maps(int candidates) {
+    Moment moment;
+    moment.scene = room_with_block();
+    auto& emc = moment.settings.edit<EmcSettings>();
+    emc.final_stage = EmcFinal::gather;
+    emc.rays = EmcRays::maps;
+    emc.count = 3;
+    emc.candidates = candidates;
+    emc.resolution = 64;
+    emc.gather_texels = 32;
+    emc.gather_photons = 400;
+    return moment;
+}
+
 struct Followed {
     LitLists lists;
     LitPhotons photons;
@@ -178,17 +192,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 TEST(LitLists, WhatFollowsIsWhatIsMadeFromNothing) {
-    Moment now;
-    now.scene = room_with_block();
-    auto& emc = now.settings.edit<EmcSettings>();
-    emc.final_stage = EmcFinal::gather;
-    emc.rays = EmcRays::maps;
-    emc.count = 3;
-    emc.candidates = 6;
-    emc.resolution = 64;
-    emc.gather_texels = 32;
-    emc.gather_photons = 400;
-    emc.update_interval = 1000;  // no map is exchanged
+    Moment now = with_three_maps(6);
+    now.settings.edit<EmcSettings>().update_interval = 1000;  // no map is exchanged
     Bench bench;
     LitTexels texels;
     SweptBoxes movers;
@@ -234,16 +239,7 @@ TEST(LitLists, WhatFollowsIsWhatIsMadeFromNothing) {
 
 // What texels find that look where things have moved and, after an exchange, at what the two maps show.
 TEST(LitLists, AnExchangeOfOneMapIsLookedAtWhereItIsSeen) {
-    Moment now;
-    now.scene = room_with_block();
-    auto& emc = now.settings.edit<EmcSettings>();
-    emc.final_stage = EmcFinal::gather;
-    emc.rays = EmcRays::maps;
-    emc.count = 3;
-    emc.candidates = 12;
-    emc.resolution = 64;
-    emc.gather_texels = 32;
-    emc.gather_photons = 400;
+    Moment now = with_three_maps(12);
     Bench bench;
     struct Looked {
         LitTexels texels;
