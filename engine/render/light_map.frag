@@ -13,7 +13,8 @@ uniform int directional;
 
 void main() {
     vec3 q = scene.position - light_position;
-    vec3 normal = geometric_normal(directional != 0 ? -light_direction : -q);
+    vec3 towards = directional != 0 ? -light_direction : -q;
+    vec3 normal = geometric_direction(towards, towards);
     SurfaceMaterial m = evaluate_diffuse();
 #ifdef MASKED  // a shader that may discard tests depth late, even where it does not
     if (material_cut_out(m.alpha)) discard;

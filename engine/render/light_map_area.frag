@@ -13,7 +13,7 @@ uniform int two_sided;
 void main() {
     vec3 q = scene.position - light_position;
     float distance = length(q);
-    vec3 normal = geometric_normal(-q);
+    vec3 normal = geometric_direction(-q, -q);
     // The emitter's own plane does not shade it.
     float height = dot(q, light_direction);
     if ((two_sided != 0 ? abs(height) : height) < 1e-3 * distance) discard;

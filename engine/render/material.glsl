@@ -143,25 +143,30 @@ SurfaceMaterial evaluate_material() {
 
 // What of even light is reflected, as maps keep it, behind vertex shaders with KEEPS_ALBEDO; kept_albedo() reads it.
 vec4 albedo_to_keep(SurfaceMaterial m) {
-    vec4 reflects = materials[scene.material].reflects;
-    bool numbered = scene.material < kNumberedMaterials;
-    if (m.unlit) return vec4(vec3(0.0), numbered ? float(scene.material + 1u) : 0.0);
-    vec3 albedo = m.base_colour * base_reflectance(m.metallic, m.transmission, m.roughness, reflects.y, reflects.z);
-    return numbered ? vec4(albedo, float(scene.material + 1u)) : vec4(min(albedo + reflects.x, vec3(1.0)), 0.0);
+    float share = scene.kept.x;
+    if (material_has(1u) || material_has(7u)) {  // what was fetched a vertex knows nothing of these
+        vec4 reflects = materials[scene.material].reflects;
+        share = base_reflectance(m.metallic, m.transmission, m.roughness, reflects.y, reflects.z);
+    }
+    vec3 albedo = m.unlit ? vec3(0.0) : m.base_colour * share;
+    float others = m.unlit ? 0.0 : scene.kept.y;
+    return scene.kept.z > 0.0 ? vec4(albedo, scene.kept.z) : vec4(min(albedo + others, vec3(1.0)), 0.0);
 }
 
-// The triangle's own normal, unit, on the side that `towards` (from the surface to the viewer) points to.
-// Call outside of divergent control flow.
-vec3 geometric_normal(vec3 towards) {
+// The direction of the triangle's own normal, of any length, on the side that `towards` (from the surface to the viewer)
+// points to; `edge_on` where the triangle is seen so. Call outside of divergent control flow.
+vec3 geometric_direction(vec3 towards, vec3 edge_on) {
     vec3 dx = dFdx(scene.position);
     vec3 dy = dFdy(scene.position);
     // Scaled first: a scene of millimetres must not underflow.
     vec3 n = cross(dx / max(max(abs(dx.x), max(abs(dx.y), abs(dx.z))), 1e-30),
                    dy / max(max(abs(dy.x), max(abs(dy.y), abs(dy.z))), 1e-30));
-    float length2 = dot(n, n);
-    n = length2 > 1e-20 ? n * inversesqrt(length2) : normalize(scene.normal);
+    n = dot(n, n) > 1e-20 ? n : edge_on;
     return dot(n, towards) < 0.0 ? -n : n;
 }
+
+// The same, unit.
+vec3 geometric_normal(vec3 towards) { return normalize(geometric_direction(towards, scene.normal)); }
 
 // The shading normal with normal mapping, unit, turned to the side that is seen.
 vec3 shading_normal(bool front_facing) {

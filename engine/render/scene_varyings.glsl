@@ -7,6 +7,8 @@ SCENE_VARYING SceneVaryings {
     vec4 uv;        // sets 0 and 1
     vec4 colour;    // vertex colour times base colour factor (KEEPS_ALBEDO: see kNumberedMaterials)
     flat vec4 lobes;  // metallic, roughness, transmission, dielectric F0 without its specular factors
+    flat vec3 kept;   // KEEPS_ALBEDO: share of the base colour that even light is reflected by, what is reflected whatever
+                      // its colour, and the material's number in the map (0: none); without textures' part
     flat uint flags;  // MaterialData::flags
     flat uint material;
     flat uint instance;

@@ -2,6 +2,7 @@
 #ifndef LANTHORN_SCENE_VERTEX_GLSL
 #define LANTHORN_SCENE_VERTEX_GLSL
 #include "engine/render/include/lanthorn/render/scene_structs.h"
+#include "engine/scene/include/lanthorn/scene/diffuse_reflectance.h"
 #define SCENE_VARYING out
 #include "scene_varyings.glsl"
 
@@ -34,7 +35,12 @@ vec3 fetch_vertex() {
     float r = (materials[material].ior - 1.0) / (materials[material].ior + 1.0);
     vec4 factor = materials[material].base_colour;
 #ifdef KEEPS_ALBEDO  // for albedo_to_keep()
-    factor.rgb = material < kNumberedMaterials ? vec3(1.0) : factor.rgb;
+    bool numbered = material < kNumberedMaterials;
+    factor.rgb = numbered ? vec3(1.0) : factor.rgb;
+    vec4 reflects = materials[material].reflects;
+    scene.kept = vec3(base_reflectance(materials[material].metallic, materials[material].transmission,
+                                       materials[material].roughness, reflects.y, reflects.z),
+                      reflects.x, numbered ? float(material + 1u) : 0.0);
 #endif
     scene.colour = in_colour * factor;
     scene.lobes = vec4(materials[material].metallic, materials[material].roughness, materials[material].transmission,

@@ -13,7 +13,7 @@ uniform vec3 light_direction;
 void main() {
     vec3 q = scene.position - light_position;
     float distance = length(q);
-    vec3 normal = geometric_normal(-q);
+    vec3 normal = geometric_direction(-q, -q);
     SurfaceMaterial m = evaluate_diffuse();
     // The emitter's own plane does not hide what it shines on.
     if (dot(q, light_direction) < 1e-3 * distance) discard;
