@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/runtime/budget_ladders.h"
+#include "gi_module/shadow_rungs.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
 
@@ -41,10 +42,15 @@ BudgetLadder quality_ladder(const Settings& settings, ivec2 size, bool pixels) {
     if (technique.ladder != nullptr) {
         ladder = technique.ladder(settings, size);
     } else {
+        // Until frames have been timed: a lantern is carried.
         ladder.shares.assign(kCostGroups, 0);
-        ladder.shares[static_cast<std::size_t>(CostGroup::pixels)] = 0.8;
+        ladder.shares[static_cast<std::size_t>(CostGroup::pixels)] = 0.5;
+        ladder.shares[static_cast<std::size_t>(CostGroup::shadows)] = 0.3;
         ladder.shares[static_cast<std::size_t>(CostGroup::rest)] = 0.2;
         ladder.rungs.front().cost.assign(kCostGroups, 1);
+    }
+    if (ladder.rungs.size() == 1) {  // nothing of the technique's own can be spared
+        add_coarser_shadows(ladder, settings, size.y, static_cast<std::size_t>(CostGroup::shadows));
     }
     if (pixels) {
         add_smaller_pictures(ladder, static_cast<std::size_t>(CostGroup::pixels));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
+#include "gi_module/shadow_rungs.h"
 #include "gi_module/techniques/emc/emc_plan.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -18,11 +20,8 @@ constexpr std::array kRays = {16, 12, 8, 6, 4, 3, 2, 1};
 constexpr std::array kStrides = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16};  // pixels
 constexpr std::array kTexels = {128, 96, 64, 48, 32};
 constexpr std::array kPhotons = {8000, 4000, 2000, 1000, 500};
-constexpr std::array kShadows = {1024, 768, 512, 384, 256, 192, 128};  // texels a side of a lamp's map
 // The picture's pixels are spared before there are fewer points than this.
 constexpr int kLeastPoints = 600;
-// Edges of shadows get no stairs of more than about three pixels.
-constexpr int kMostRowsATexel = 3;
 
 // Shares of a frame's time at medium, 512x512, while a lamp moves, by group: round means over cornell,
 // two-rooms, lantern-room and puppet (docs/budgets.md). What a rung will take is measured in each run.
@@ -111,21 +110,20 @@ std::vector<Step> steps_from(const Sizes& s, ivec2 size) {
     to.photons = next(kPhotons, s.photons, false);
     add(to, s.photons, to.photons, "photons");
     to = s;
-    to.shadows = next(kShadows, s.shadows, false);
-    if (to.shadows * kMostRowsATexel >= size.y) {
-        add(to, s.shadows, to.shadows, "shadows");
-    }
+    to.shadows = fewer_shadow_texels(s.shadows, size.y);
+    add(to, s.shadows, to.shadows, "shadows");
     return steps;
 }
 
-BudgetRung rung_of(const Sizes& s, const Sizes& top, std::string name, ivec2 size, bool photons) {
+BudgetRung rung_of(const Sizes& s, const Sizes& top, std::string name, ivec2 size, bool photons,
+                   const Settings& settings) {
     BudgetRung rung;
     rung.name = std::move(name);
     const double points = static_cast<double>(size.x) * size.y / square(s.stride);
     rung.set = {fmt::format("gi.gather.rays={}", s.rays), fmt::format("gi.gather.grid={}", s.stride),
                 fmt::format("gi.gather.points={}", std::clamp(static_cast<int>(points), 1, 1'000'000)),
-                fmt::format("gi.gather.texels={}", s.texels),
-                fmt::format("render.shadow.resolution={}", s.shadows)};
+                fmt::format("gi.gather.texels={}", s.texels)};
+    std::ranges::move(shadow_assignments(settings, s.shadows), std::back_inserter(rung.set));
     if (photons) {
         rung.set.push_back(fmt::format("gi.gather.photons={}", s.photons));
     }
@@ -171,7 +169,7 @@ BudgetLadder emc_ladder(const Settings& settings, ivec2 size) {
         };
         const auto best = std::ranges::min_element(steps, {}, growth);
         now = best->sizes;
-        ladder.rungs.push_back(rung_of(now, top, best->name, size, photons));
+        ladder.rungs.push_back(rung_of(now, top, best->name, size, photons, settings));
     }
 }
 

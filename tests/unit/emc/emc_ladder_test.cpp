@@ -53,15 +53,44 @@ TEST(EmcLadder, PixelsAreSparedLastAndOnlyWhereTheyMay) {
     }
 }
 
-TEST(EmcLadder, SplatsAndOtherTechniquesHaveNothingButPixels) {
+TEST(EmcLadder, SplatsAndOtherTechniquesSpareLampsMapsAndThenPixels) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    for (const char* chosen : {"gi.emc.final=splat", "gi.technique=none"}) {
+        Settings settings(schema);
+        settings.set_from_text(chosen);
+        const BudgetLadder ladder = quality_ladder(settings, ivec2(256, 144), false);
+        ASSERT_EQ(ladder.rungs.size(), 5u) << chosen;  // 512, 384, 256, 192, 128
+        EXPECT_EQ(ladder.rungs.back().set.front(), "render.shadow.resolution=128") << chosen;
+        EXPECT_NEAR(ladder.rungs.back().cost[static_cast<std::size_t>(CostGroup::shadows)], 1.0 / 16, 1e-12);
+        const BudgetLadder smaller = quality_ladder(settings, ivec2(256, 144), true);
+        ASSERT_GT(smaller.rungs.size(), 8u) << chosen;
+        EXPECT_EQ(smaller.rungs.back().set, ladder.rungs.back().set) << chosen;
+        EXPECT_LT(smaller.rungs.back().scale, 0.4) << chosen;
+    }
+}
+
+// They are maps of lamps, too, and in the same passes.
+TEST(EmcLadder, MapsOfEmissiveSurfacesShrinkWithThoseOfLamps) {
     SettingsSchema schema;
     declare_settings(schema);
     Settings settings(schema);
-    settings.set_from_text("gi.emc.final=splat");
-    EXPECT_EQ(quality_ladder(settings, ivec2(512), false).rungs.size(), 1u);
-    settings.set_from_text("gi.technique=none");
-    EXPECT_EQ(quality_ladder(settings, ivec2(512), false).rungs.size(), 1u);
-    EXPECT_GT(quality_ladder(settings, ivec2(512), true).rungs.size(), 4u);
+    settings.set_from_text("render.area_lights.resolution=200");
+    const auto lowered = [&](const char* technique) {
+        settings.set_from_text(std::string("gi.technique=") + technique);
+        Settings result = settings;
+        const BudgetLadder ladder = quality_ladder(settings, ivec2(144), false);
+        for (const std::string& assignment : ladder.rungs.back().set) {
+            result.set_from_text(assignment);
+        }
+        return result.get<int>("render.area_lights.resolution");
+    };
+    EXPECT_EQ(lowered("emc"), 50);
+    EXPECT_EQ(lowered("none"), 50);
+    settings.set_from_text("render.area_lights.resolution=64");
+    EXPECT_EQ(lowered("emc"), 32);  // no fewer
+    settings.set_from_text("render.area_lights.resolution=16");
+    EXPECT_EQ(lowered("emc"), 16);
 }
 
 // Where a lamp's maps take most of a frame, as a carried lantern's do: they come before pixels, and no
