@@ -61,7 +61,9 @@ void GBuffer::draw_all(const GpuScene& gpu_scene, const CameraUniforms& camera, 
     };
     const auto first = std::stable_partition(drawn_.begin(), drawn_.end(), std::not_fn(looked));
     const auto plain = static_cast<std::size_t>(first - drawn_.begin());
-    gpu_scene.draw(program_, std::span(drawn_).first(plain));
+    const std::span<DrawnInstance> others = std::span(drawn_).first(plain);
+    gpu_scene.sort_near_first(others, camera.position);
+    gpu_scene.draw(program_, others);
     if (plain < drawn_.size()) {
         draw_looked(gpu_scene, camera, plain, *looks);
     }

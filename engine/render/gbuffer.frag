@@ -26,7 +26,7 @@ const float kClearAlpha = 1.0 / 64.0;  // below it nothing is seen of a surface
 void main() {
     vec3 relative = scene.position - camera_position;
     vec3 towards = camera_orthographic != 0 ? -camera_forward : -relative;
-    vec3 geometric = geometric_normal(towards);
+    vec3 geometric = geometric_direction(towards, scene.normal);
     SurfaceMaterial m = evaluate_material();
     vec3 shading = shading_normal(gl_FrontFacing);
 #ifdef BLENDED

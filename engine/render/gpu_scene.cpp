@@ -380,6 +380,13 @@ void GpuScene::find_visible(DrawSet set, const Frustum& frustum, std::vector<std
                          [&](std::uint32_t i) { return frustum.touches(bounds_[i]); });
 }
 
+void GpuScene::sort_near_first(std::span<DrawnInstance> instances, const vec3& eye) const {
+    std::ranges::stable_sort(instances, {}, [&](const DrawnInstance& drawn) {
+        const Aabb& box = bounds_[drawn.instance];
+        return glm::distance(glm::clamp(eye, box.lower, box.upper), eye);
+    });
+}
+
 void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Culling culling) const {
     draw(program, instances(set), layers, culling);
 }

@@ -306,11 +306,7 @@ void LightMaps::draw(const LightData& light, int face, const GpuScene& gpu_scene
             }
         }
     }
-    // Near ones first: what they hide is not shaded.
-    std::ranges::stable_sort(visible_, {}, [&](const DrawnInstance& drawn) {
-        const Aabb& box = motion_.bounds(drawn.instance);
-        return glm::distance(glm::clamp(light.position, box.lower, box.upper), light.position);
-    });
+    gpu_scene.sort_near_first(visible_, light.position);
     SceneProgram& program = light.type == kLightAreaSample ? area_program_ : program_;
     program.set("face", face);
     gpu_scene.draw(program, visible_, Culling::none);

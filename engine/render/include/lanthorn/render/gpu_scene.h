@@ -131,8 +131,12 @@ class GpuScene {
     // Those of them whose bounds touch `frustum` (render space), in the same order, into `visible`.
     void find_visible(DrawSet set, const Frustum& frustum, std::vector<std::uint32_t>& visible) const;
 
-    // The same with the variant that each material needs, prepare()d for variants(); the fewer textures and
-    // holes, the faster.
+    // By how near their boxes come to `eye` (render space), those as near in the order given: what near ones
+    // hide is then not shaded. O(n log n).
+    void sort_near_first(std::span<DrawnInstance> instances, const vec3& eye) const;
+
+    // As the first draw(), with the variant that each material needs, prepare()d for variants(); the fewer
+    // textures and holes, the faster.
     void draw(const SceneProgram& program, DrawSet set, int layers = 1,
               Culling culling = Culling::by_material) const;
     // The same for the given instances, in the order given.
