@@ -30,8 +30,11 @@ struct Floor {
     }
 };
 
-// `photons`: caustic ones.
+// `photons`: caustic ones. By exact rays the maps are small: for what else a picture shows ask for
+// with_usual_maps().
 GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather, EmcRays rays = EmcRays::bvh);
+
+GiSettings with_usual_maps(GiSettings settings);
 
 Material glass(float ior);
 

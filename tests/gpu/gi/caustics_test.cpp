@@ -193,8 +193,8 @@ TEST_F(Caustics, ASkysSunIsGatheredByABallOfGlass) {
     const std::vector<float> whole = by_path(true), rest = by_path(false);
     for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
         Bench with, without;
-        with.settings = settings_of(60'000, final_stage);
-        without.settings = settings_of(0, final_stage);
+        with.settings = with_usual_maps(settings_of(60'000, final_stage));
+        without.settings = with_usual_maps(settings_of(0, final_stage));
         with.settings.bounces = without.settings.bounces = 1;
         const ImageF seen = with.frame(scene, kPicture);
         const ImageF base = without.frame(scene, kPicture);
