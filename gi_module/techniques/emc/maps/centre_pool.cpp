@@ -46,32 +46,55 @@ CentrePool::CentrePool(const FrameScene& scene, const Aabb& bounds) : space_(sce
     }
 }
 
-double CentrePool::seen_share(std::span<const vec3> from, std::span<const vec3> centres) const {
+// By cell, whether a way through free cells leads there from any of these places; along rows of cells.
+std::vector<std::uint8_t> CentrePool::reached_from(std::span<const vec3> from) const {
     const ivec3 cells = space_.cells();
-    std::vector<bool> reached(space_.index(cells - 1) + 1, false);
-    std::vector<ivec3> front;
-    const auto go = [&](const ivec3& c) {
-        if (space_.inside(c) && space_.free(c) && !reached[space_.index(c)]) {
-            reached[space_.index(c)] = true;
+    std::vector<std::uint8_t> reached(space_.index(cells - 1) + 1, 0);
+    std::vector<ivec3> front;  // one of each run of cells that are still to be reached
+    const auto open = [&](const ivec3& c) { return space_.free(c) && reached[space_.index(c)] == 0; };
+    for (const vec3& p : from) {
+        const ivec3 c = space_.cell_of(p);
+        if (space_.inside(c)) {
             front.push_back(c);
         }
-    };
-    for (const vec3& p : from) {
-        go(space_.cell_of(p));
     }
     while (!front.empty()) {
-        const ivec3 c = front.back();
+        ivec3 first = front.back();
         front.pop_back();
-        for (int axis = 0; axis < 3; ++axis) {
-            ivec3 step(0);
-            step[axis] = 1;
-            go(c + step);
-            go(c - step);
+        if (!open(first)) {
+            continue;
+        }
+        int end = first.x + 1;
+        while (first.x > 0 && open(first - ivec3(1, 0, 0))) {
+            --first.x;
+        }
+        while (end < cells.x && open({end, first.y, first.z})) {
+            ++end;
+        }
+        const auto run = reached.begin() + static_cast<std::ptrdiff_t>(space_.index(first));
+        std::fill(run, run + (end - first.x), std::uint8_t{1});
+        for (const ivec3& step : {ivec3(0, 1, 0), ivec3(0, -1, 0), ivec3(0, 0, 1), ivec3(0, 0, -1)}) {
+            ivec3 c = first + step;
+            if (!space_.inside(c)) {
+                continue;
+            }
+            for (bool before = false; c.x < end; ++c.x) {
+                const bool is_open = open(c);
+                if (is_open && !before) {
+                    front.push_back(c);
+                }
+                before = is_open;
+            }
         }
     }
+    return reached;
+}
+
+double CentrePool::seen_share(std::span<const vec3> from, std::span<const vec3> centres) const {
+    const std::vector<std::uint8_t> reached = reached_from(from);
     double all = 0, seen = 0;
     for (const Place& place : places_) {
-        if (reached[space_.index(place.cell)]) {
+        if (reached[space_.index(place.cell)] != 0) {
             ++all;
             const vec3 middle = space_.middle(place.cell);
             seen += std::ranges::any_of(

@@ -55,6 +55,7 @@ class CentrePool {
     float cell() const { return space_.side(); }  // m
 
   private:
+    std::vector<std::uint8_t> reached_from(std::span<const vec3> from) const;
     bool near_in_sight(const vec3& a, const vec3& b) const;
     void link();
     void add(const vec3& centre, std::span<const int> in_sight);
