@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 #include <span>
 
 #include "engine/render/emissive_parts.h"
+#include "engine/render/near_emitters.h"
 #include "lanthorn/core/colour.h"
 
 namespace lanthorn::render {
@@ -16,6 +18,8 @@ namespace {
 constexpr std::size_t kMostSamples = 64;
 // Of those, for all surfaces together that have none of their own.
 constexpr int kMergedSamples = 16;
+// Of all samples together that have nodes of their own. Nodes are 1 MiB then.
+constexpr std::size_t kMostNearFaces = 8192;
 
 using Surface = EmissiveTriangles::Surface;
 
@@ -90,7 +94,7 @@ void add_merged(const EmissiveTriangles& emissive, std::span<const Surface> surf
 
 }  // namespace
 
-std::vector<LightData> make_area_samples(const EmissiveTriangles& emissive, const RenderSettings& settings) {
+AreaSamples make_area_samples(const EmissiveTriangles& emissive, const RenderSettings& settings) {
     const int flat = std::max(settings.area_lights_samples, 1);
     const auto points = static_cast<std::size_t>(std::max(settings.area_lights_max, 0) * flat);
     if (points == 0) {
@@ -109,11 +113,18 @@ std::vector<LightData> make_area_samples(const EmissiveTriangles& emissive, cons
             own < points ? samples_wanted(shape_of(emissive, surface), flat, static_cast<int>(points)) : 1);
     }
     const std::vector<int> shares = shares_of(strongest, std::move(wanted), points);
-    std::vector<LightData> samples;
+    const auto near_faces =
+        kMostNearFaces /
+        std::max<std::size_t>(1, std::accumulate(shares.begin(), shares.end(), std::size_t{0}));
+    AreaSamples result;
+    std::vector<LightData>& samples = result.lights;
     for (std::size_t i = 0; i < own; ++i) {
         const EmissiveShape shape = shape_of(emissive, strongest[i]);
         for (const EmissiveSample& sample : emissive_samples(shape, shares[i])) {
             samples.push_back(describe(shape.shown.front(), sample, strongest[i].instance_id));
+            if (sample.connected) {
+                add_near_emitter(sample, near_faces, samples.back(), result.nodes);
+            }
         }
     }
     add_merged(emissive, merged, samples);
@@ -121,7 +132,7 @@ std::vector<LightData> make_area_samples(const EmissiveTriangles& emissive, cons
         samples[i].first_layer = static_cast<std::uint32_t>(i) * 6;
         samples[i].texel = 2.0f / static_cast<float>(settings.area_lights_resolution);
     }
-    return samples;
+    return result;
 }
 
 }  // namespace lanthorn::render

@@ -3,6 +3,7 @@
 #define LANTHORN_DIRECT_GLSL
 #include "brdf.glsl"
 #include "ggx.glsl"
+#include "near_emitters.glsl"
 #include "shadow.glsl"
 #include "shining_lights.glsl"
 #include "traced_lobes.glsl"
@@ -37,15 +38,54 @@ vec3 punctual_radiance(LightData light, LitSurface s) {
     return lit_radiance(s, l, illuminance, weight, 1.0);
 }
 
-// `traced`: see direct_radiance().
-vec3 area_radiance(LightData light, LitSurface s, float traced) {
+// Of what area lights send, the share that no rays bring. `traced`: see direct_radiance().
+float share_of_samples(LightData light, LitSurface s, vec3 l, float traced) {
+    float a = max(s.roughness * s.roughness, 2e-3);
+    return 1.0 - traced * share_of_rays(lobe_density(s.shading, s.v, l, a), area_solid_angle(light, s.point));
+}
+
+// As far as it is not near.
+vec3 area_radiance(LightData light, float nearness, LitSurface s, float traced) {
     vec3 l;
     float distance;
     vec3 illuminance = area_illuminance(light, s.point, l, distance);
-    float weight = lit_cosine(s, l) * area_visibility(light, s.point, s.geometric, l, distance);
-    float a = max(s.roughness * s.roughness, 2e-3);
-    float by_rays = share_of_rays(lobe_density(s.shading, s.v, l, a), area_solid_angle(light, s.point));
-    return lit_radiance(s, l, illuminance, weight, 1.0 - traced * by_rays);
+    float weight = (1.0 - nearness) * lit_cosine(s, l) * area_visibility(light, s.point, s.geometric, l, distance);
+    return lit_radiance(s, l, illuminance, weight, share_of_samples(light, s, l, traced));
+}
+
+// As far as it is near: what is mirrored of it as wide as it is (Karis 2013).
+vec3 near_radiance(LightData light, float nearness, LitSurface s, float traced) {
+    vec3 l;
+    float distance;
+    area_illuminance(light, s.point, l, distance);
+    float weight = nearness * area_visibility(light, s.point, s.geometric, l, distance);
+    float lobe = share_of_samples(light, s, l, traced);
+    NearLight near = near_light(light, nearness, s.point, s.geometric, s.shading);
+    s.roughness = sqrt(min(s.roughness * s.roughness + sqrt(length(near.flow)) / 3.0, 1.0));
+    return lit_radiance(s, unit_or_zero(near.flow), near.irradiance, weight, lobe);
+}
+
+// Of all area samples.
+vec3 area_radiances(LitSurface s, float traced) {
+    vec3 sum = vec3(0.0);
+#ifdef WITH_AREA
+    int near = light_end;
+#define ADD_AREA(LIGHT)                                             \
+    {                                                               \
+        LightData light = LIGHT;                                    \
+        float nearness = emitter_nearness(light, s.point);          \
+        sum += area_radiance(light, nearness, s, traced);           \
+        near = near == light_end && nearness > 0.0 ? i : near;      \
+    }
+    AREA_LIGHTS(ADD_AREA)
+    do {
+        LightData light = light_of_kind(min(near, light_end - 1), kLightAreaSample, 6u);
+        float nearness = near < light_end ? emitter_nearness(light, s.point) : 0.0;
+        sum += near_radiance(light, nearness, s, traced);
+        near = next_near_emitter(near + 1, s.point);
+    } while (near < light_end);
+#endif
+    return sum;
 }
 
 // Radiance towards s.v, nits. `traced`: share of the specular lobe that rays follow, which bring area lights, too (share_of_rays()).
@@ -56,10 +96,8 @@ vec3 direct_radiance(LitSurface s, float traced) {
     LampTarget target = LampTarget(s.point, s.geometric, s.shading, s.v, a * a);
 #endif
 #define ADD_PUNCTUAL(LIGHT) sum += punctual_radiance(LIGHT, s);
-#define ADD_AREA(LIGHT) sum += area_radiance(LIGHT, s, traced);
     PUNCTUAL_LIGHTS(ADD_PUNCTUAL, target)
-    AREA_LIGHTS(ADD_AREA)
-    return sum;
+    return sum + area_radiances(s, traced);
 }
 
 #endif

@@ -216,10 +216,9 @@ std::size_t nearest_of(const Place& place, std::span<const Place> means) {
 
 // Which of `count` groups each part belongs to: those of the nearest mean (Lloyd 1982). A closed surface has
 // groups that face all ways.
-std::vector<std::size_t> groups_of(std::span<const Part> parts, int count) {
+std::vector<std::size_t> groups_of(std::span<const Part> parts, std::span<const Place> places, int count) {
     constexpr std::size_t kMostRounds = 16, kLeastRounds = 2;
     constexpr std::size_t kMostComparisons = 2'000'000;  // some 20 ms
-    const std::vector<Place> places = places_of(parts);
     std::vector<Place> means = first_means(parts, places, count);
     const std::size_t rounds =
         std::clamp(kMostComparisons / (parts.size() * means.size()), kLeastRounds, kMostRounds);
@@ -247,7 +246,7 @@ std::vector<std::size_t> groups_of(std::span<const Part> parts, int count) {
     return groups;
 }
 
-EmissiveSample sample_of(std::span<const Part> parts) {
+EmissiveSample sample_of(std::span<const Part> parts, std::span<const Place> places) {
     EmissiveSample sample;
     vec3 faces(0), middle(0), power(0);
     float light = 0;
@@ -264,6 +263,12 @@ EmissiveSample sample_of(std::span<const Part> parts) {
             bright * area > static_cast<float>(largest->bright) * largest->shown.area() ? &part : largest;
     }
     middle /= light;
+    sample.connected =
+        std::ranges::all_of(parts, [&](const Part& p) { return p.piece == parts.front().piece; });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const vec3* p = parts[i].shown.p;
+        sample.faces.push_back({{p[0], p[1], p[2]}, parts[i].radiance, places[i].at, places[i].normal});
+    }
     const bool even =
         std::ranges::all_of(parts, [&](const Part& p) { return p.radiance == parts.front().radiance; });
     sample.radiance = even ? parts.front().radiance : power / sample.area;
@@ -314,19 +319,22 @@ int samples_wanted(const EmissiveShape& shape, int flat, int most) {
 
 std::vector<EmissiveSample> emissive_samples(const EmissiveShape& shape, int count) {
     std::vector<Part> triangles = triangles_of(shape);
-    if (count > 1) {
-        label_pieces(triangles);
-    }
+    const bool told = triangles.size() <= kMostTold;
+    label_pieces(triangles);
     const std::vector<Part> parts = parts_of(triangles, count);
+    const std::vector<Place> places = places_of(parts);
     std::vector<std::vector<Part>> groups(static_cast<std::size_t>(count));
-    const std::vector<std::size_t> group = groups_of(parts, count);
+    std::vector<std::vector<Place>> places_in(groups.size());
+    const std::vector<std::size_t> group = groups_of(parts, places, count);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         groups[group[i]].push_back(parts[i]);
+        places_in[group[i]].push_back(places[i]);
     }
     std::vector<EmissiveSample> samples;
-    for (const std::vector<Part>& own : groups) {
-        if (!own.empty()) {
-            samples.push_back(sample_of(own));
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (!groups[g].empty()) {
+            samples.push_back(sample_of(groups[g], places_in[g]));
+            samples.back().connected = told && samples.back().connected;
         }
     }
     return samples;

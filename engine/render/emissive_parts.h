@@ -18,11 +18,21 @@ struct EmissiveShape {
     std::span<const EmissiveTriangles::Rest> rest;
 };
 
+// A triangle of what a sample stands for: where it is, and where it lies and faces as its mesh has it at
+// rest, whatever the size of that.
+struct EmissiveFace {
+    vec3 p[3];         // counter-clockwise seen from the front
+    vec3 radiance{0};  // nits
+    vec3 at{0}, normal{0};
+};
+
 // What stands for some parts: a point of them with nothing of them before it, and the way they face together.
 struct EmissiveSample {
     vec3 point{0}, normal{0};
     float area = 0;    // m^2
     vec3 radiance{0};  // nits, the mean over the area
+    std::vector<EmissiveFace> faces;
+    bool connected = false;  // known to be of one piece of the surface
 };
 
 // How many points it takes to stand for a surface, where `flat` do for a flat one without holes: half as many

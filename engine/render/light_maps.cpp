@@ -171,7 +171,11 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     std::vector<LightData> lights = describe_lights(scene, resolution, most_layers);
     punctual_count_ = static_cast<int>(lights.size());
     if (emissive.version() != emissive_version_ || settings != settings_) {
-        area_samples_ = make_area_samples(emissive, settings);
+        AreaSamples samples = make_area_samples(emissive, settings);
+        area_samples_ = std::move(samples.lights);
+        if (!samples.nodes.empty()) {
+            emitter_nodes_.hold(std::span<const vec4>(samples.nodes));
+        }
         emissive_version_ = emissive.version();
         settings_ = settings;
     }
@@ -285,6 +289,10 @@ void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuSce
     program.set("light_direction", light.direction);
     program.set("directional", light.type == kLightDirectional ? 1 : 0);
     program.set("two_sided", static_cast<int>(light.two_sided));
+    if (area) {
+        program.set("light_middle", light.up);
+        program.set("light_reach", 1.001f * light.depth_range);
+    }
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

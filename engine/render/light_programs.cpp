@@ -52,6 +52,12 @@ const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint firs
         lights_.bind(kLampNodesUnit - 1, light_maps.shining_buffer(), GL_RGBA32UI);
         program.set("lamp_lights", static_cast<int>(kLampNodesUnit - 1));
     }
+    if (shining.has(LightKind::area)) {
+        if (light_maps.emitter_nodes()) {
+            emitter_nodes_.bind(kEmitterNodesUnit, light_maps.emitter_nodes(), GL_RGBA32F);
+        }
+        program.set("emitter_nodes", static_cast<int>(kEmitterNodesUnit));
+    }
     struct Map {
         const char* name;
         const gpu::Texture* texture;

@@ -103,6 +103,13 @@ SurfaceMaterial evaluate_diffuse() {
     return m;
 }
 
+// Nits.
+vec3 material_emission() {
+    if ((scene.flags & kMaterialEmits) == 0u) return vec3(0.0);
+    vec3 nits = materials[scene.material].emissive.rgb;
+    return material_has(4u) ? nits * material_texture(material_emissive, 4u).rgb : nits;
+}
+
 // Everything but the normal.
 SurfaceMaterial evaluate_material() {
     SurfaceMaterial m;
@@ -114,12 +121,8 @@ SurfaceMaterial evaluate_material() {
     m.transmission = scene.lobes.z;
     m.f0 = scene.lobes.w;
     m.occlusion = 1.0;
-    m.emissive = vec3(0.0);
+    m.emissive = material_emission();
     m.unlit = (scene.flags & kMaterialUnlit) != 0u;
-    if ((scene.flags & kMaterialEmits) != 0u) {
-        m.emissive = materials[scene.material].emissive.rgb;
-        if (material_has(4u)) m.emissive *= material_texture(material_emissive, 4u).rgb;
-    }
     if ((scene.flags & 0x8au) != 0u) {
         if (material_has(1u)) {
             vec4 t = material_texture(material_metallic_roughness, 1u);

@@ -18,7 +18,7 @@ std::vector<render::LightData> samples_of(const FrameScene& scene, int count) {
     emissive.update(scene);
     render::RenderSettings settings;
     settings.area_lights_samples = count;
-    return make_area_samples(emissive, settings);
+    return make_area_samples(emissive, settings).lights;
 }
 
 FrameScene bulb(float radius) {

@@ -103,7 +103,7 @@ std::vector<render::LightData> samples_of(const FrameScene& scene) {
     testing::context();
     render::EmissiveTriangles emissive;
     emissive.update(scene);
-    return make_area_samples(emissive, render::RenderSettings());
+    return make_area_samples(emissive, render::RenderSettings()).lights;
 }
 
 struct Place {
@@ -203,7 +203,7 @@ TEST(Emitters, BlendedOnesShineAsMuchAsTheyCover) {
     emissive.update(scene);
     EXPECT_EQ(emissive.count(), 0);
     EXPECT_EQ(emissive.flux(), vec3(0));
-    EXPECT_TRUE(make_area_samples(emissive, render::RenderSettings()).empty());
+    EXPECT_TRUE(make_area_samples(emissive, render::RenderSettings()).lights.empty());
 }
 
 // What glows, of a thousand lamps or of a mesh of a hundred thousand triangles: all of it, by 64 points at

@@ -60,10 +60,9 @@ void main() {
 #ifdef LAMP_TREES
     LampTarget target = matte_target(x, n);
 #endif
-#define ADD_COLOURED(LIGHT) { LightData light = LIGHT; sum += irradiance_of(light, false, x, n) * (has_colour ? own : colour_of(light, x)); }
-#define ADD_SHOWN(LIGHT) sum += irradiance_of(LIGHT, true, x, n) * (has_colour ? own : vec3(0.0));
+#define ADD_COLOURED(LIGHT) { LightData light = LIGHT; sum += punctual_irradiance(light, x, n) * (has_colour ? own : colour_of(light, x)); }
     PUNCTUAL_LIGHTS(ADD_COLOURED, target)
-    AREA_LIGHTS(ADD_SHOWN)
+    sum += area_irradiances(x, n) * (has_colour ? own : vec3(0.0));
     if (is_bad(sum)) {
         atomicAdd(bad_value_count, 1u);
         sum = vec3(0.0);

@@ -63,8 +63,7 @@ vec3 texel_irradiance(int place, vec3 point, vec3 normal) {
 #endif
 #define ADD_TO_TEXEL(LIGHT) sum += punctual_irradiance(LIGHT, point, normal, quad);
     PUNCTUAL_LIGHTS(ADD_TO_TEXEL, target)
-    AREA_LIGHTS(ADD_AREA)
-    return sum;
+    return sum + area_irradiances(point, normal);
 }
 
 void main() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/render/emissive.h"
 #include "lanthorn/render/gpu_scene.h"
 #include "lanthorn/render/light_data.h"
@@ -47,6 +48,9 @@ class LightMaps {
     const gpu::Buffer& shining_buffer() const { return shining_buffer_; }
     // ShiningLights::nodes.
     const gpu::Buffer& nodes_buffer() const { return nodes_buffer_; }
+    // What area samples stand for, in ever smaller parts (near_emitters.h), for those of them whose
+    // LightData::cone_offset is more than 0; without storage before there are any.
+    const gpu::Buffer& emitter_nodes() const { return emitter_nodes_.buffer(); }
     // Whether there are more lamps than maps can be: groups of them use the map of one
     // (LightData::map_offset).
     bool shares_maps() const { return shares_maps_; }
@@ -106,6 +110,7 @@ class LightMaps {
     std::vector<int> waits_;                       // by light: updates that its map is out of date for
     std::vector<bool> outdated_;                   // by light: left empty
     std::vector<DrawnInstance> visible_;
+    gpu::GrowingBuffer emitter_nodes_;
     std::uint64_t emissive_version_ = ~0ull;
     RenderSettings settings_;
     gpu::Buffer light_buffer_;
