@@ -128,7 +128,7 @@ const SettingInfo& SettingsSchema::find_or_throw(std::string_view name) const {
         edit_distance(name, nearest->name) <= std::max<std::size_t>(3, nearest->name.size() / 3)) {
         line += fmt::format(", did you mean '{}'?", nearest->name);
     } else {
-        line += ", expected one that --list-settings shows";
+        line += ", expected one that 'lanthorn render --list-settings' shows";
     }
     throw InputError(line);
 }
