@@ -4,7 +4,6 @@
 
 #include "game/rules/systems.h"
 #include "lanthorn/core/time_step.h"
-#include "lanthorn/scene/asset_store.h"
 
 namespace lanthorn::game {
 
@@ -62,23 +61,21 @@ void wake_crystals(Query<Read<LightSensor>, Mut<Crystal>> crystals, Commands& co
     });
 }
 
-void show_glow(ecs::World& world) {
-    AssetStore& store = asset_store(world);
-    world.query<Read<Crystal>, Read<MeshInstances>>().each(
-        [&](const Crystal& crystal, const MeshInstances& looks) {
-            if (crystal.glow == vec3(0) || looks.meshes.empty()) {
-                return;
+void show_glow(Query<Read<Crystal>, Read<MeshInstances>> crystals, ResMut<AssetStore> store) {
+    crystals.each([&](const Crystal& crystal, const MeshInstances& looks) {
+        if (crystal.glow == vec3(0) || looks.meshes.empty()) {
+            return;
+        }
+        const float first = brightest(store->get(store->material_of(looks.meshes.front())));
+        for (const MeshHandle mesh : looks.meshes) {
+            const MaterialHandle material = store->material_of(mesh);
+            const float share = first > 0 ? brightest(store->get(material)) / first : 1;
+            const vec3 emissive = crystal.glow * (share * static_cast<float>(shown(crystal)));
+            if (store->get(material).emissive != emissive) {
+                store->edit_material(material, [&](Material& m) { m.emissive = emissive; });
             }
-            const float first = brightest(store.get(store.material_of(looks.meshes.front())));
-            for (const MeshHandle mesh : looks.meshes) {
-                const MaterialHandle material = store.material_of(mesh);
-                const float share = first > 0 ? brightest(store.get(material)) / first : 1;
-                const vec3 emissive = crystal.glow * (share * static_cast<float>(shown(crystal)));
-                if (store.get(material).emissive != emissive) {
-                    store.edit_material(material, [&](Material& m) { m.emissive = emissive; });
-                }
-            }
-        });
+        }
+    });
 }
 
 }  // namespace lanthorn::game

@@ -35,8 +35,8 @@ void GamePlugin::build(App& app) {
     fixed.add("follow_with_camera", follow_with_camera).after("hang_lanterns").before("settle");
     fixed.add("reach_goals", reach_goals).after("sensors.read").in("gameplay");
     fixed.add("wake_crystals", wake_crystals).after("sensors.read").after("carry_lanterns").in("gameplay");
-    fixed.add("show_glow", show_glow).after("wake_crystals").in("gameplay");
 
+    app.frame_schedule().add("show_glow", show_glow).before("extract");
     app.frame_schedule().add("show_flames", show_flames).after("transforms");
     app.frame_schedule().add("look_down_on_her", look_down_on_her).after("animation").before("transforms");
     app.frame_schedule().add("show_looks", show_looks).after("transforms").before("extract");

@@ -17,6 +17,7 @@
 #include "lanthorn/runtime/interpolation.h"
 #include "lanthorn/runtime/time.h"
 #include "lanthorn/runtime/view.h"
+#include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 
@@ -86,8 +87,9 @@ void show_looks(Res<Intent> intent, Res<SharedPhysics> physics, Res<View> view, 
 // The nearer the camera is behind her, the further down it looks in the picture, so that she stays in it.
 // What is aimed at and simulated knows nothing of it.
 void look_down_on_her(Query<Read<FollowCamera>, Write<Interpolated>, Mut<LocalTransform>> cameras);
-// Makes the crystals' materials glow as much as they do. Alone: it edits assets.
-void show_glow(ecs::World& world);
+// Makes the crystals' materials glow as much as they do, in the picture: what is simulated knows nothing of
+// it, and a state that is restored glows in its first picture.
+void show_glow(Query<Read<Crystal>, Read<MeshInstances>> crystals, ResMut<AssetStore> store);
 // The hero faces where she walks, and where she looks as soon as she handles something or looks far aside.
 // With her eyes for a camera she always does.
 void face_hero(Res<Intent> intent, Query<Read<FollowCamera>> cameras,

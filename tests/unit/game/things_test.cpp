@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "tests/unit/game/test_level.h"
@@ -75,7 +76,9 @@ class CrystalTest : public testing::Test {
         game.steps(steps);
     }
     const Crystal& crystal() { return game.of<Crystal>("crystal"); }
+    // As the next picture has it.
     vec3 emissive(std::size_t mesh = 0) {
+        game.session.app().show();
         const AssetStore& store = asset_store(game.world());
         return store.get(store.material_of(game.of<MeshInstances>("crystal").meshes.at(mesh))).emissive;
     }
@@ -100,6 +103,19 @@ TEST_F(CrystalTest, WakesOnceEnoughHasComeTogether) {
     EXPECT_EQ(emissive(1), vec3(20, 2, 1));  // a quarter as bright as the first
     ASSERT_TRUE(has_lamp());
     EXPECT_EQ(game.of<LightComponent>("crystal-lamp").light.intensity, 20);
+}
+
+TEST_F(CrystalTest, AStateThatIsRestoredGlowsWithoutAStep) {
+    const ecs::Registry& registry = game.session.app().registry();
+    const auto state = [&] { return ecs::Snapshot::save(game.world(), registry).to_bytes(); };
+    const std::string asleep = state();
+    shine(2.1f, 120);
+    const std::string awake = state();
+    ecs::Snapshot::from_bytes(asleep, registry, "asleep").restore(game.world());
+    EXPECT_EQ(emissive(), vec3(0));
+    ecs::Snapshot::from_bytes(awake, registry, "awake").restore(game.world());
+    EXPECT_EQ(emissive(), vec3(80, 8, 4));
+    EXPECT_EQ(emissive(1), vec3(20, 2, 1));
 }
 
 TEST_F(CrystalTest, AReadingThatFlickersDoesNotWakeIt) {
