@@ -30,6 +30,9 @@ Settings settings_of(const SettingsSchema& schema, const MarkView& view) {
     settings.set("gi.seed", view.seed);
     settings.set("render.antialias", true);
     settings.set("render.exposure.darkest", 0.1f);  // nits
+    settings.set("render.bloom.share", 0.1f);
+    settings.set("render.rim", 0.2f);
+    settings.set("render.shoulder", 0.5f);
     settings.apply_preset(view.preset);
     return settings;
 }
