@@ -37,6 +37,8 @@ constexpr vec3 kDark(0.03f, 0.02f, 0.015f);  // where no level is
 constexpr std::array kScreens = {"loading", "title",   "levels",   "play",     "paused",
                                  "restart", "options", "controls", "finished", "credits"};
 static_assert(kScreens.size() == static_cast<std::size_t>(Screen::credits) + 1);
+// A quarter of a second: twice the frame budget that the game begins with where OpenGL runs on the CPU.
+constexpr int kMostStepsAFrame = 15;
 constexpr int kSettles = 32;            // frames of a level that stands still until its picture is done
 constexpr double kStillSeconds = 0.03;  // that a frame of a page takes on which nothing moves
 // The same while another process needs the cores.
@@ -296,7 +298,7 @@ void GameWindow::show_level(Playthrough& level) {
         window_.draw_again(level.app());
         window_.rest(lit_easily_ ? kSparedSeconds : kStillSeconds);
     } else {
-        window_.draw(level.app(), moves && is_running(screens.at) ? window_.seconds() : 0);
+        window_.draw(level.app(), moves && is_running(screens.at) ? window_.seconds() : 0, kMostStepsAFrame);
     }
     level.app().view().camera = eyes;
 }
