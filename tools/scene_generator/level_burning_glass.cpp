@@ -149,7 +149,7 @@ SceneData level_burning_glass() {
                 {"go":[-1.3,0,-1.1],"look":[-1.3,1.3,-1.75],"seconds":2.5},
                 {"go":[0.7,0,-0.15],"look":[1.6,1.3,-1.75],"seconds":2.5},
                 {"go":[0.7,0,-0.15],"look":[1.6,1.3,-1.75],"seconds":1.8,"deed":"use","hold":true},
-                {"go":[0.4,0,0.3],"look":[-3.8,1.4,1.6],"seconds":4}])");
+                {"go":[0.4,0,0.3],"look":[-3.8,1.4,2.1],"seconds":4}])");
     b.camera("topaz-view", looking({1.4, 1.6, 1.6}, {-3.4, 1.3, 0.2}), glm::radians(60.0f));
     return b.scene;
 }

@@ -139,6 +139,7 @@ Finishes finishes(Builder& b, const vec3& stone) {
     made.iron = b.matte("iron", {0.05f, 0.05f, 0.055f}, 0.5f);
     made.brass = b.matte("brass", {0.5f, 0.33f, 0.12f}, 0.5f);
     made.trim = b.matte("trim", 1.1f * stone, 0.5f);
+    made.slate = b.matte("slate", {0.05f, 0.053f, 0.06f}, 0.5f);
     return made;
 }
 

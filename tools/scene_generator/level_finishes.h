@@ -20,6 +20,7 @@ struct Finishes {
     std::uint32_t iron;     // nearly black
     std::uint32_t brass;    // a warm dull yellow
     std::uint32_t trim;     // smooth stone of mouldings
+    std::uint32_t slate;    // dark, behind what is to stand out
 };
 // Uneven lime plaster of another colour, `mean` its linear reflectance.
 std::uint32_t painted_plaster(Builder& b, const std::string& name, const vec3& mean);

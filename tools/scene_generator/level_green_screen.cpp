@@ -77,6 +77,8 @@ SceneData level_green_screen() {
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-2.1, 0, -1.55}));
     add_bookshelf(b, f, "shelf", {-0.1, 0, -2.86}, {1.0, 1.8, 0.35}, 4, 11);
     add_still_life(b, "still-life", {-2.25, 0.78, -2.35});
+    // Weak: it is not to be in the way of the green light.
+    add_sconce(b, f, "sconce", {0.75, 1.95, -kHalf.z}, {0, 0, 1}, 8);
     add_carpet(b, "carpet", {-2.9, 0, -0.5}, {-0.9, 0.012, 0.9}, kBlueCarpet);
     b.camera("camera", looking({2.9, 1.8, 2.6}, {-1.4, 1.0, -0.7}), glm::radians(65.0f));
     add_player(b, {-1.3, 0, 0.1}, {-1.5, 1.35, -3});
@@ -88,7 +90,7 @@ SceneData level_green_screen() {
                 {"go":[-0.4,0,-1.9],"look":[1.3,1.1,-1.2],"seconds":3},
                 {"go":[1.3,0,-2.57],"look":[1.3,1.2,0.5],"seconds":2},
                 {"go":[1.3,0,-0.3],"look":[1.3,1.2,2.5],"seconds":4},
-                {"go":[0.2,0,-1.4],"look":[-3.6,1.3,-0.75],"seconds":4}])");
+                {"go":[0.2,0,-1.4],"look":[-3.6,1.3,-0.35],"seconds":4}])");
     b.camera("beam", looking({-3.2, 1.7, -0.9}, {1.3, 1.1, 0.1}), glm::radians(65.0f));
     return b.scene;
 }

@@ -113,6 +113,8 @@ SceneData level_mirrors() {
     add_turning_mirror(b, f, silver, "mirror-north", {kTurned, 0, kBack}, -66, 0.4);
     furniture(b, f);
     add_sconce(b, f, "sconce", {-2.1, 1.95, kBlockZ}, {0, 0, 1}, 30);
+    // Beside the crystal: what it is seen by as the level begins.
+    add_sconce(b, f, "sconce-shrine", {kBlockX, 1.95, kBlockZ - 0.22}, {1, 0, 0}, 14);
     b.camera("camera", looking({-1.6, 1.75, 2.5}, {2.1, 1.12, -0.35}), glm::radians(62.0f));
     add_player(b, {1.08, 0, 0.3}, {1.25, 1.25, -3});
     add_level(b, R"("title":"Two mirrors",
@@ -124,7 +126,7 @@ SceneData level_mirrors() {
                 {"go":[1.0,0,0.55],"look":[2.3,1.2,1.6],"seconds":3.49,"deed":"use","hold":true},
                 {"go":[1.0,0,-0.6],"look":[2.3,1.2,-1.75],"seconds":2},
                 {"go":[1.0,0,-0.6],"look":[2.3,1.2,-1.75],"seconds":0.92,"deed":"use","hold":true},
-                {"go":[1.1,0,-0.4],"look":[-0.8,1.3,-1.75],"seconds":4}])");
+                {"go":[1.1,0,-0.4],"look":[-0.8,1.3,-1.35],"seconds":4}])");
     b.camera("shrine", looking({2.6, 1.7, 0.3}, {-0.6, 1.15, -1.7}), glm::radians(66.0f));
     return b.scene;
 }

@@ -103,7 +103,7 @@ SceneData level_other_light() {
                 {"go":[1.2,0,1.2],"look":[0.4,1.2,-1],"seconds":2},
                 {"go":[0.2,0,0.5],"look":[0.4,1.2,-1],"seconds":1.5},
                 {"go":[0.2,0,0.5],"look":[0.4,1.2,-1],"seconds":3.5,"deed":"use","hold":true},
-                {"go":[0.0,0,1.2],"look":[3.6,1.0,1.4],"seconds":13}])");
+                {"go":[0.0,0,1.2],"look":[3.6,1.0,1.1],"seconds":13}])");
     return b.scene;
 }
 

@@ -89,13 +89,15 @@ void add_crystal(Builder& b, const Finishes& f, const std::string& name, const d
     Transform lying;
     lying.rotation = quat(glm::angleAxis(-0.5 * std::numbers::pi, dvec3(1, 0, 0)));
     constexpr double kThick = 0.02, kSlope = 0.707;  // its edge is a slope: a step would be a dashed line
-    const Outline plate = {{{0, -0.002}, {0, -1}},
-                           {{0.5, -0.002}, {0, -1}},
-                           {{0.5, -0.002}, {kSlope, kSlope}},
-                           {{0.5 - kThick, kThick}, {kSlope, kSlope}},
-                           {{0.5 - kThick, kThick}, {0, 1}},
-                           {{0, kThick}, {0, 1}}};
-    b.solid(name + "-disc", lathe(plate, 32), f.trim, {}, lying, node);
+    constexpr double kInner = 0.44, kFoot = -0.002;
+    const Outline plate = {{{0, kFoot}, {0, -1}},      {{kInner, kFoot}, {0, -1}}, {{kInner, kFoot}, {1, 0}},
+                           {{kInner, kThick}, {1, 0}}, {{kInner, kThick}, {0, 1}}, {{0, kThick}, {0, 1}}};
+    const Outline rim = {{{kInner, kFoot}, {0, -1}},       {{0.5, kFoot}, {0, -1}},
+                         {{0.5, kFoot}, {kSlope, kSlope}}, {{0.5 - kThick, kThick}, {kSlope, kSlope}},
+                         {{0.5 - kThick, kThick}, {0, 1}}, {{kInner, kThick}, {0, 1}},
+                         {{kInner, kThick}, {-1, 0}},      {{kInner, kFoot}, {-1, 0}}};
+    b.solid(name + "-disc", lathe(plate, 32), f.slate, {}, lying, node);
+    b.solid(name + "-rim", lathe(rim, 32, true), f.brass, {}, lying, node);
 
     // Those that stand behind are of a deeper colour, and glow as much less.
     constexpr float kBehind = 0.45f;

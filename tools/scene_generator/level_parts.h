@@ -35,9 +35,9 @@ void add_spot(Builder& b, const std::string& name, const dvec3& from, const dvec
 inline constexpr vec3 kMoonlight{0.5f, 0.7f, 1};
 inline constexpr vec3 kLamplight{1, 0.7f, 0.4f};
 
-// A cluster of crystals on a round plate of stone of 0.5 m radius, at `place` on a wall that looks to
-// `towards`. `sensor`: the fields of its light sensor but for the radius, `crystal`: of its crystal, as JSON.
-// Awake, it lights what is around it.
+// A cluster of crystals on a round plate of slate with a rim of brass, of 0.5 m radius, at `place` on a wall
+// that looks to `towards`. `sensor`: the fields of its light sensor but for the radius, `crystal`: of its
+// crystal, as JSON. Awake, it lights what is around it.
 void add_crystal(Builder& b, const Finishes& f, const std::string& name, const dvec3& place,
                  const dvec3& towards, const vec3& colour, const std::string& sensor,
                  const std::string& crystal);

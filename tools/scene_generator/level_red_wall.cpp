@@ -63,7 +63,7 @@ SceneData level_red_wall() {
     curtain(b, f);
     furniture(b, f);
     add_lantern(b, bronze(b), {-0.45, 0.78, 1.75}, kLamplight, 80);
-    b.camera("camera", looking({0.55, 1.45, 2.0}, {-1.32, 1.2, 1.3}), glm::radians(56.0f));
+    b.camera("camera", looking({-2.75, 1.65, 2.35}, {1.2, 1.1, 1.35}), glm::radians(56.0f));
     add_player(b, {-0.95, 0, 1.1}, {3.4, 1.3, 1.0});
     add_level(b, R"("title":"The red wall",
         "hints":["The crystal sleeps behind the stones. It wants red light.",

@@ -49,7 +49,7 @@ SceneData level_shutter() {
     add_carpet(b, "carpet", {-2.4, 0, -1.5}, {-0.4, 0.012, 0.3}, kRedCarpet);
     add_lantern(b, bronze(b), {0.35, 0.78, 1.2}, kLamplight, 40);
     add_follower(b, "puppet", {2.3, 0, -0.9});
-    b.camera("camera", looking({2.6, 1.8, 2.1}, {-2.4, 1.2, -0.6}), glm::radians(66.0f));
+    b.camera("camera", looking({2.0, 1.75, 2.5}, {-2.0, 1.2, -0.6}), glm::radians(62.0f));
     add_player(b, {0.7, 0, 0.58}, {-3.2, 1.35, 0.95});
     add_level(b, R"("title":"The shutter",
         "hints":["The moon is out there, and it is blue enough for a blue wall.",
