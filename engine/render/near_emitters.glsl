@@ -16,11 +16,12 @@ struct NearLight {
     vec3 flow;        // from where, and how wide: the vector irradiance of 1 nit over pi, of a ball its angular radius' squared sine
 };
 
-// 1 where the sample's point is no measure of it, 0 where it is; between in between.
+// 1 where the sample's point is no measure of it, 0 where it is; between in between. One of no intensity is left to others.
 float emitter_nearness(LightData light, vec3 point) {
     vec3 d = light.up - point;
     float far = kEmitterNear + kEmitterBlend - sqrt(dot(d, d) / max(light.depth_range * light.depth_range, 1e-30));
-    return light.cone_offset > light.cone_scale ? clamp(far / kEmitterBlend, 0.0, 1.0) : 0.0;
+    bool shines = light.cone_offset > light.cone_scale && light.intensity != vec3(0.0);
+    return shines ? clamp(far / kEmitterBlend, 0.0, 1.0) : 0.0;
 }
 
 #ifdef WITH_AREA
