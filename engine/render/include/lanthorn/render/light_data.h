@@ -38,7 +38,8 @@ struct LightData {
     vec3 right;  // unit axes of the map of a spot's frustum or a directional light: right x up = -direction
     float cone_scale;
     vec3 up;            // area sample: the middle of what it stands for, in render space
-    float cone_offset;  // spot: attenuation = clamp(cos * cone_scale + cone_offset, 0, 1)^2
+    float cone_offset;  // spot: attenuation = clamp(cos * cone_scale + cone_offset, 0, 1)^2; area sample: its
+                        // nodes are those from cone_scale on and before cone_offset (near_emitters.h)
     float extent;  // spot: tangent of the frustum's half angle; directional: half width of the map in metres
     float cos_outer;   // spot: cosine of the outer cone; else -1
     uint first_layer;  // of the light-map array (area samples: of the area array)
